@@ -1,0 +1,5 @@
+//! Flocks with bodies.
+
+pub mod math;
+pub mod trace;
+pub mod world;

@@ -1,0 +1,66 @@
+//! The bump function ρ.
+
+use std::f64::consts::PI;
+
+/// The bump function ρ of Olfati-Saber (2003), (16): 1 up to k0, 0 from 1 on, and
+/// ½(1 + cos(π(z − k0)/(1 − k0))) in between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bump {
+    start: f64,
+}
+
+impl Bump {
+    /// A bump that leaves 1 at `start` = k0, within (0, 1).
+    pub fn new(start: f64) -> Self {
+        debug_assert!(start > 0.0 && start < 1.0);
+        Self { start }
+    }
+
+    /// ρ(z), within [0, 1].
+    pub fn value(&self, z: f64) -> f64 {
+        if z <= self.start {
+            1.0
+        } else if z >= 1.0 {
+            0.0
+        } else {
+            0.5 * (1.0 + self.phase(z).cos())
+        }
+    }
+
+    /// ρ'(z), within [−π/(2(1 − k0)), 0].
+    pub fn slope(&self, z: f64) -> f64 {
+        if z <= self.start || z >= 1.0 {
+            0.0
+        } else {
+            -0.5 * PI / (1.0 - self.start) * self.phase(z).sin()
+        }
+    }
+
+    fn phase(&self, z: f64) -> f64 {
+        PI * (z - self.start) / (1.0 - self.start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reaches_its_plateaus_and_halves_in_the_middle() {
+        let bump = Bump::new(0.6);
+        assert_eq!(bump.value(0.6), 1.0);
+        assert_eq!(bump.value(1.0), 0.0);
+        assert!((bump.value(0.8) - 0.5).abs() < 1e-15);
+    }
+
+    #[test]
+    fn slope_is_the_derivative() {
+        let bump = Bump::new(5.0 / 6.0);
+        for k in 0..200 {
+            let z = 0.7 + 0.4 * f64::from(k) / 200.0 + 1e-4;
+            let h = 1e-6;
+            let numeric = (bump.value(z + h) - bump.value(z - h)) / (2.0 * h);
+            assert!((numeric - bump.slope(z)).abs() < 1e-4, "z = {z}");
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Vectors and the scalar functions that the laws are made of.
+
+mod action;
+mod bump;
+
+pub use action::Action;
+pub use bump::Bump;
+
+/// A vector of the `D`-dimensional world.
+pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;
+
+/// A linear map of the `D`-dimensional world.
+pub type Matrix<const D: usize> = nalgebra::SMatrix<f64, D, D>;
+
+/// The bounded feedback φ(z) = z/√(1+|z|²): Olfati-Saber (2003), below (64). Its
+/// length stays below 1.
+pub fn saturate<const D: usize>(z: &Vector<D>) -> Vector<D> {
+    z / (1.0 + z.norm_squared()).sqrt()
+}
+
+/// The unit vector along `z`, or zero where `z` is zero.
+pub fn direction<const D: usize>(z: &Vector<D>) -> Vector<D> {
+    let length = z.norm();
+    if length > 0.0 { z / length } else { Vector::zeros() }
+}

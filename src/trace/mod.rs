@@ -1,0 +1,3 @@
+//! Traces: what a run leaves behind.
+
+pub mod record;

@@ -1,0 +1,241 @@
+//! The trace format: what each line of a trace holds.
+//!
+//! A trace is a sequence of [`Record`]s: one header, then frames and contacts as
+//! they happen, and a summary last. Every line names its kind in `record`.
+//! Vectors are arrays of D numbers; agents and obstacles are named by their index
+//! in the header. Numbers read back bit for bit.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::world::spec::WorldSpec;
+
+/// Name of the format, in every header.
+pub const FORMAT: &str = "volary-trace";
+
+/// Version of the format; it changes when a reader of the old one would misread
+/// the new.
+pub const VERSION: u32 = 1;
+
+/// One line of a trace.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "record", rename_all = "snake_case")]
+#[schemars(title = "Volary trace record")]
+pub enum Record {
+    /// The first line: what ran.
+    Header(Box<Header>),
+    /// The state at a sampled time.
+    Frame(Frame),
+    /// A contact episode, written when it ends.
+    Contact(Contact),
+    /// The last line: how the run ended.
+    Summary(Box<Summary>),
+}
+
+/// What ran.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Header {
+    /// Always "volary-trace".
+    pub format: String,
+    /// Version of the format.
+    pub version: u32,
+    /// The program that wrote it, with its version.
+    pub program: String,
+    /// What moved the agents: "bodies" is the rigid-body engine.
+    pub dynamics: String,
+    /// Name of the world: the shipped name, or the file's.
+    pub name: String,
+    /// The world with every default filled in, and the seed that was used.
+    pub world: WorldSpec,
+    /// The bodies, one entry for each agent.
+    pub bodies: Bodies,
+}
+
+/// Properties of the bodies; each list has one entry for each agent.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Bodies {
+    /// Index of the agent's group in the world's `agents`.
+    pub group: Vec<usize>,
+    /// Radius.
+    pub radius: Vec<f64>,
+    /// Mass.
+    pub mass: Vec<f64>,
+    /// Actuator limit (force); null means none.
+    pub force_limit: Vec<Option<f64>>,
+}
+
+/// The state at a sampled time.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Frame {
+    /// Steps taken so far.
+    pub step: u64,
+    /// Time, step × size of the step.
+    pub time: f64,
+    /// Position of each agent.
+    pub positions: Vec<Vec<f64>>,
+    /// Velocity of each agent.
+    pub velocities: Vec<Vec<f64>>,
+    /// The metrics of this state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub metrics: Option<Metrics>,
+    /// The acceleration that each law asks for, before the actuator limit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accelerations: Option<Vec<LawAccelerations>>,
+    /// The β-agents of the obstacle laws.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beta_agents: Option<Vec<BetaAgent>>,
+    /// The edges of the proximity net, as pairs of agents, first below second.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Vec<[usize; 2]>>,
+}
+
+/// The acceleration that one law asks of each agent.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LawAccelerations {
+    /// Name of the law.
+    pub law: String,
+    /// Acceleration of each agent.
+    pub values: Vec<Vec<f64>>,
+}
+
+/// A β-agent: the projection of an agent on an active obstacle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BetaAgent {
+    /// The agent.
+    pub agent: usize,
+    /// The obstacle.
+    pub obstacle: usize,
+    /// Position on the obstacle's surface, q̂.
+    pub position: Vec<f64>,
+    /// Velocity along the surface, p̂.
+    pub velocity: Vec<f64>,
+    /// Distance from the agent's centre to the surface; negative inside.
+    pub distance: f64,
+}
+
+/// The metrics of one state; null where the world does not define them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Metrics {
+    /// Connected components of the proximity net.
+    pub components: Option<usize>,
+    /// Density δ0: share of agents in the largest component; Olfati-Saber (2003), (7).
+    pub density: Option<f64>,
+    /// Edges of the proximity net.
+    pub edges: Option<usize>,
+    /// Structural energy H_s; Olfati-Saber (2003), (27), smooth or not as the protocol is.
+    pub structural_energy: Option<f64>,
+    /// Polarization: length of the mean of the unit velocities, 0 to 1; agents at
+    /// rest count as zero.
+    pub polarization: f64,
+    /// Root mean square of |p_i − p_d|, the distance to the navigation law's
+    /// velocity, or to the mean velocity where no law names one.
+    pub velocity_mismatch: f64,
+    /// Smallest gap between the surfaces of two agents; negative where they overlap.
+    pub agent_gap: Option<f64>,
+    /// Smallest gap between the surfaces of an agent and an obstacle.
+    pub obstacle_gap: Option<f64>,
+    /// Position diameter d_X: largest distance between two agents.
+    pub position_diameter: f64,
+    /// Velocity diameter d_V: largest difference between two velocities.
+    pub velocity_diameter: f64,
+}
+
+/// What an agent touched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Partner {
+    /// Another agent.
+    Agent,
+    /// An obstacle.
+    Obstacle,
+}
+
+/// A contact episode: from the first step in which a pair touches to the first in
+/// which it does not. Touching means a positive impulse or a gap of zero or less.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Contact {
+    /// The agent; the one with the lower index where both are agents.
+    pub agent: usize,
+    /// What it touched.
+    pub with: Partner,
+    /// Index of what it touched: an agent or an obstacle.
+    pub other: usize,
+    /// Time at the start of the first step in which they touched.
+    pub begin: f64,
+    /// Time at the end of the last step in which they touched.
+    pub end: f64,
+    /// Whether they still touched when the run ended.
+    pub open: bool,
+    /// Number of steps in which they touched.
+    pub steps: u64,
+    /// Largest normal impulse of any step (mass × velocity).
+    pub largest_impulse: f64,
+    /// Deepest penetration (length), 0 where the bodies never overlapped.
+    pub deepest_penetration: f64,
+    /// Speed at which the bodies approached each other along the normal, just
+    /// before they touched; negative where they were parting.
+    pub approach_speed: f64,
+    /// Position of the agent at the start of the first step in which they touched.
+    pub position: Vec<f64>,
+}
+
+/// How the run ended.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(title = "Volary summary")]
+pub struct Summary {
+    /// Name of the world.
+    pub name: String,
+    /// Seed that was used.
+    pub seed: u64,
+    /// How the run ended.
+    pub outcome: Outcome,
+    /// Why it failed, where it did.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+    /// Number of agents.
+    pub agents: usize,
+    /// Steps taken.
+    pub steps: u64,
+    /// Time reached.
+    pub time: f64,
+    /// Contacts between agents.
+    pub agent_contacts: ContactCount,
+    /// Contacts between agents and obstacles.
+    pub obstacle_contacts: ContactCount,
+    /// Agent-steps in which the actuator limit cut the force.
+    pub force_cuts: u64,
+    /// Smallest gap between two agents over all frames and contacts.
+    pub smallest_agent_gap: Option<f64>,
+    /// Smallest gap between an agent and an obstacle over all frames and contacts.
+    pub smallest_obstacle_gap: Option<f64>,
+    /// The metrics at the end.
+    #[serde(rename = "final")]
+    pub last: Metrics,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// It reached its end.
+    Completed,
+    /// Someone stopped it.
+    Interrupted,
+    /// The state became non-finite, or something else made it impossible to go on.
+    Failed,
+}
+
+/// Contact episodes of one kind, counted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct ContactCount {
+    /// Number of episodes.
+    pub episodes: u64,
+    /// Number of different pairs that touched.
+    pub pairs: u64,
+    /// Largest impulse.
+    pub largest_impulse: f64,
+    /// Deepest penetration.
+    pub deepest_penetration: f64,
+    /// Highest approach speed.
+    pub highest_approach_speed: f64,
+}
