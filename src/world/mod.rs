@@ -1,4 +1,23 @@
-//! Worlds: what a world file says, checked and resolved.
+//! Worlds: what a world file says, checked and resolved into agents and obstacles.
 
+mod placement;
 pub mod problem;
+mod random;
+mod resolve;
 pub mod spec;
+
+pub use problem::Problem;
+pub use resolve::{Agents, AnyWorld, World};
+
+use crate::math::Vector;
+
+/// A vector from a list of numbers; numbers beyond `D` are left out, missing ones are 0.
+/// Checked worlds hold lists of the right length only.
+pub fn vector<const D: usize>(numbers: &[f64]) -> Vector<D> {
+    Vector::from_fn(|k, _| numbers.get(k).copied().unwrap_or(0.0))
+}
+
+/// As [`vector`]; zero where nothing is given.
+pub fn vector_or_zero<const D: usize>(numbers: &Option<Vec<f64>>) -> Vector<D> {
+    vector(numbers.as_deref().unwrap_or_default())
+}
