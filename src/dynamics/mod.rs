@@ -8,7 +8,7 @@ mod bodies;
 pub use bodies::{Bodies, Failure};
 
 use crate::math::Vector;
-use crate::shape::In;
+use crate::shape::{Geometry, In};
 use crate::world::World;
 
 /// The state of the agents at the end of a step, for those who observe.
@@ -75,7 +75,7 @@ pub trait Physics<const D: usize>: Send {
 }
 
 /// Access to the engine of one dimension; implemented by [`In<2>`] and [`In<3>`].
-pub trait Engine<const D: usize> {
+pub trait Engine<const D: usize>: Geometry<D> {
     /// The bodies of a world, at its start.
     fn physics(world: &World<D>) -> Box<dyn Physics<D>>;
 }

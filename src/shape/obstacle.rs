@@ -209,7 +209,8 @@ fn thin<const D: usize>(
     };
     let core_map = match axis {
         Some(axis) => {
-            let at = (core - axis.from).dot(&axis.direction);
+            // Judged by `q`: at an end, rounding can put the core point on either side.
+            let at = (q - axis.from).dot(&axis.direction);
             if at > 0.0 && at < axis.length {
                 axis.direction * axis.direction.transpose()
             } else {

@@ -13,8 +13,10 @@ pub struct Pose<const D: usize> {
 }
 
 impl<const D: usize> Pose<D> {
-    /// From the origin's place and a rotation vector; in the plane (0, 0, angle).
+    /// From the origin's place and a rotation vector, of which the plane takes only the
+    /// last component.
     pub fn new(translation: Vector<D>, turn: [f64; 3]) -> Self {
+        let turn = if D == 2 { [0.0, 0.0, turn[2]] } else { turn };
         let full = nalgebra::Rotation3::from_scaled_axis(nalgebra::Vector3::from(turn));
         let rotation = Matrix::from_fn(|i, j| full[(i, j)]);
         Self {
