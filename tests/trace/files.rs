@@ -112,9 +112,8 @@ fn a_full_disk_is_reported_and_ends_the_trace() {
                 _ => 2_000,
             };
             let mut writer = TraceWriter::new(Disk(room), format);
-            writer
-                .write(&Record::Header(Box::new(header())))
-                .unwrap_or(());
+            // The header may or may not fit; a thousand frames do not.
+            let _ = writer.write(&Record::Header(Box::new(header())));
             let rest =
                 (0..1_000_u64).try_for_each(|step| writer.write(&Record::Frame(frame(step))));
             assert!(rest.and(writer.finish()).is_err(), "{format:?}");
