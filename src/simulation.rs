@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::dynamics::{Bodies, Engine, Failure, Snapshot};
-use crate::law::{Flock, Law, build};
+use crate::law::{Flock, Law, State, build};
 use crate::math::Vector;
 use crate::metric::{Ledger, Net, measure};
 use crate::sense::active_obstacles;
@@ -166,6 +166,12 @@ impl<const D: usize> Simulation<D> {
         }
         let state = self.bodies.snapshot();
         let world = &self.world;
+        let seen = State {
+            time: state.time,
+            positions: state.positions,
+            velocities: state.velocities,
+            obstacles: &world.obstacles,
+        };
         Frame {
             step: state.step,
             time: state.time,
@@ -174,12 +180,7 @@ impl<const D: usize> Simulation<D> {
             metrics,
             accelerations: world.spec.record.accelerations.then(|| {
                 self.flock
-                    .by_law(
-                        state.time,
-                        state.positions,
-                        state.velocities,
-                        &world.obstacles,
-                    )
+                    .by_law(&seen)
                     .into_iter()
                     .map(|(law, values)| LawAccelerations {
                         law,

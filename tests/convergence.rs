@@ -4,7 +4,7 @@ mod common;
 
 use common::{Flow, flock_world, order, world};
 use volary::dynamics::Engine;
-use volary::law::{Flock, build};
+use volary::law::{Flock, State, build};
 use volary::math::Vector;
 use volary::shape::In;
 use volary::simulation::Simulation;
@@ -22,13 +22,13 @@ fn reference<const D: usize>(world: &World<D>, steps: usize) -> Flow<D> {
     );
     let mut slope = |time: f64, state: &Flow<D>| -> Flow<D> {
         let mut acceleration = vec![Vector::zeros(); state.0.len()];
-        flock.accelerations(
+        let seen = State {
             time,
-            &state.0,
-            &state.1,
-            &world.obstacles,
-            &mut acceleration,
-        );
+            positions: &state.0,
+            velocities: &state.1,
+            obstacles: &world.obstacles,
+        };
+        flock.accelerations(&seen, &mut acceleration);
         for value in &mut acceleration {
             *value += world.gravity;
         }

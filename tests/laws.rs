@@ -5,7 +5,7 @@ mod common;
 use common::{flock_world, spec, world};
 use proptest::prelude::*;
 use serde_json::json;
-use volary::law::{Flock, build};
+use volary::law::{Flock, State, build};
 use volary::math::Vector;
 use volary::metric::{Net, structural_energy};
 use volary::shape::{Geometry, In, Pose};
@@ -26,7 +26,14 @@ fn accelerations<const D: usize>(
 ) -> Vec<Vector<D>> {
     let mut out = vec![Vector::zeros(); positions.len()];
     let mut flock = Flock::new(build(world));
-    flock.accelerations(0.0, positions, velocities, &world.obstacles, &mut out);
+    let obstacles = &world.obstacles;
+    let state = State {
+        time: 0.0,
+        positions,
+        velocities,
+        obstacles,
+    };
+    flock.accelerations(&state, &mut out);
     out
 }
 

@@ -20,7 +20,7 @@
 use thiserror::Error;
 
 use crate::dynamics::{Engine, Physics, Snapshot, Touch, Touched};
-use crate::law::Flock;
+use crate::law::{Flock, State};
 use crate::math::Vector;
 use crate::shape::In;
 use crate::world::World;
@@ -176,13 +176,13 @@ impl<const D: usize> Bodies<D> {
     }
 
     fn ask(&mut self, world: &World<D>, flock: &mut Flock<D>) {
-        flock.accelerations(
-            self.time(),
-            &self.positions,
-            &self.velocities,
-            &world.obstacles,
-            &mut self.wanted,
-        );
+        let state = State {
+            time: self.time(),
+            positions: &self.positions,
+            velocities: &self.velocities,
+            obstacles: &world.obstacles,
+        };
+        flock.accelerations(&state, &mut self.wanted);
         if self.step == 0 {
             self.wanted_before.clone_from(&self.wanted);
         }

@@ -60,7 +60,8 @@ pub trait Physics<const D: usize>: Send {
     /// Sets the velocity of each agent.
     fn set_velocities(&mut self, velocities: &[Vector<D>]);
 
-    /// Takes one step under these forces, which end with it.
+    /// Takes one step under these forces, which end with it. Without any, the bodies
+    /// coast, or keep what pushed them last.
     fn step(&mut self, forces: &[Vector<D>]);
 
     /// Finds the contacts of the present positions, without moving anything.

@@ -67,14 +67,11 @@ impl<const D: usize> Law<D> for AlphaInteraction {
                         return;
                     }
                     let distance = squared.sqrt();
+                    let (force, weight) = self.pair.force_and_weight(distance);
                     if distance > 0.0 {
-                        sum += offset * (self.pair.force(distance) / distance);
+                        sum += offset * (force / distance);
                     }
-                    let weight = if self.weighted_damping {
-                        self.pair.weight(distance)
-                    } else {
-                        1.0
-                    };
+                    let weight = if self.weighted_damping { weight } else { 1.0 };
                     sum += (scene.velocities[j] - p) * (self.damping * weight);
                 });
             *acceleration += sum;

@@ -17,6 +17,22 @@ const PARALLEL_FROM: usize = 2_000;
 pub struct Flock<const D: usize> {
     laws: Vec<Box<dyn Law<D>>>,
     cells: Cells<D>,
+    /// Scratch, in the order of the cells.
+    velocities: Vec<Vector<D>>,
+    accelerations: Vec<Vector<D>>,
+}
+
+/// A state of the agents and what stands around them: the input of a flock.
+#[derive(Debug, Clone, Copy)]
+pub struct State<'a, const D: usize> {
+    /// Time since the start.
+    pub time: f64,
+    /// Position of each agent, finite.
+    pub positions: &'a [Vector<D>],
+    /// Velocity of each agent, finite.
+    pub velocities: &'a [Vector<D>],
+    /// The obstacles.
+    pub obstacles: &'a [Obstacle<D>],
 }
 
 impl<const D: usize> Flock<D> {
@@ -25,12 +41,9 @@ impl<const D: usize> Flock<D> {
         Self {
             laws,
             cells: Cells::default(),
+            velocities: Vec::new(),
+            accelerations: Vec::new(),
         }
-    }
-
-    /// Adds a law.
-    pub fn push(&mut self, law: Box<dyn Law<D>>) {
-        self.laws.push(law);
     }
 
     /// The laws, in their order.
@@ -38,89 +51,91 @@ impl<const D: usize> Flock<D> {
         &self.laws
     }
 
-    /// Writes the acceleration of each agent into `out`. All inputs must be finite.
+    /// Writes the acceleration of each agent into `out`.
     ///
     /// Each agent's sum is taken in a fixed order, so the result does not depend on
     /// the number of threads.
-    pub fn accelerations(
-        &mut self,
-        time: f64,
-        positions: &[Vector<D>],
-        velocities: &[Vector<D>],
-        obstacles: &[Obstacle<D>],
-        out: &mut [Vector<D>],
-    ) {
-        let laws = &self.laws;
-        let scene = scene(
+    pub fn accelerations(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
+        let laws: Vec<&dyn Law<D>> = self.laws.iter().map(AsRef::as_ref).collect();
+        sum(
+            &laws,
+            state,
             &mut self.cells,
-            laws,
-            time,
-            positions,
-            velocities,
-            obstacles,
+            &mut self.velocities,
+            &mut self.accelerations,
+            out,
         );
-        out.fill(Vector::zeros());
-        let add = |chunk: usize, out: &mut [Vector<D>]| {
-            for law in laws {
-                law.accelerate(&scene, chunk * CHUNK, out);
-            }
-        };
-        if positions.len() < PARALLEL_FROM {
-            let chunks = out.chunks_mut(CHUNK).enumerate();
-            chunks.for_each(|(chunk, out)| add(chunk, out));
-        } else {
-            let chunks = out.par_chunks_mut(CHUNK).enumerate();
-            chunks.for_each(|(chunk, out)| add(chunk, out));
-        }
     }
 
-    /// The acceleration that each law alone gives each agent, by law.
-    pub fn by_law(
-        &mut self,
-        time: f64,
-        positions: &[Vector<D>],
-        velocities: &[Vector<D>],
-        obstacles: &[Obstacle<D>],
-    ) -> Vec<(String, Vec<Vector<D>>)> {
-        let laws = &self.laws;
-        let scene = scene(
-            &mut self.cells,
+    /// The acceleration that each law alone gives each agent, by name of the law.
+    pub fn by_law(&mut self, state: &State<'_, D>) -> Vec<(String, Vec<Vector<D>>)> {
+        let Self {
             laws,
-            time,
-            positions,
+            cells,
             velocities,
-            obstacles,
-        );
-        laws.iter()
-            .map(|law| {
-                let mut out = vec![Vector::zeros(); positions.len()];
-                law.accelerate(&scene, 0, &mut out);
-                (law.name().to_owned(), out)
-            })
-            .collect()
+            accelerations,
+        } = self;
+        let alone = |law: &Box<dyn Law<D>>| {
+            let mut out = vec![Vector::zeros(); state.positions.len()];
+            sum(
+                &[law.as_ref()],
+                state,
+                cells,
+                velocities,
+                accelerations,
+                &mut out,
+            );
+            (law.name().to_owned(), out)
+        };
+        laws.iter().map(alone).collect()
     }
 }
 
-/// What the laws see, with the cells sorted anew where a law needs them.
-fn scene<'a, const D: usize>(
-    cells: &'a mut Cells<D>,
-    laws: &[Box<dyn Law<D>>],
-    time: f64,
-    positions: &'a [Vector<D>],
-    velocities: &'a [Vector<D>],
-    obstacles: &'a [Obstacle<D>],
-) -> Scene<'a, D> {
+/// Sums the laws over all agents, with scratch space for the sorted state.
+fn sum<const D: usize>(
+    laws: &[&dyn Law<D>],
+    state: &State<'_, D>,
+    cells: &mut Cells<D>,
+    velocities: &mut Vec<Vector<D>>,
+    accelerations: &mut Vec<Vector<D>>,
+    out: &mut [Vector<D>],
+) {
     let range = laws.iter().map(|law| law.range()).fold(0.0, f64::max);
-    if range > 0.0 {
-        cells.rebuild(positions, range);
-    }
-    Scene {
-        time,
-        positions,
+    // Without neighbours to look for, one cell will do.
+    cells.rebuild(state.positions, if range > 0.0 { range } else { f64::MAX });
+    velocities.clear();
+    velocities.extend(
+        cells
+            .order()
+            .iter()
+            .map(|&agent| state.velocities[agent as usize]),
+    );
+    accelerations.clear();
+    accelerations.resize(out.len(), Vector::zeros());
+    let scene = Scene {
+        time: state.time,
+        agents: cells.order(),
+        positions: cells.sorted(),
         velocities,
         cells,
-        obstacles,
-        mean_position: mean(positions),
-        mean_velocity: mean(velocities),
+        obstacles: state.obstacles,
+        mean_position: mean(state.positions),
+        mean_velocity: mean(state.velocities),
+    };
+    let add = |(chunk, out): (usize, &mut [Vector<D>])| {
+        for law in laws {
+            law.accelerate(&scene, chunk * CHUNK, out);
+        }
+    };
+    if out.len() < PARALLEL_FROM {
+        accelerations.chunks_mut(CHUNK).enumerate().for_each(add);
+    } else {
+        accelerations
+            .par_chunks_mut(CHUNK)
+            .enumerate()
+            .for_each(add);
+    }
+    for (&agent, acceleration) in cells.order().iter().zip(&*accelerations) {
+        out[agent as usize] = *acceleration;
     }
 }

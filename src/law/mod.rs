@@ -10,7 +10,7 @@ mod navigation;
 mod obstacle_avoidance;
 
 pub use alpha_interaction::AlphaInteraction;
-pub use flock::Flock;
+pub use flock::{Flock, State};
 pub use navigation::Navigation;
 pub use obstacle_avoidance::ObstacleAvoidance;
 

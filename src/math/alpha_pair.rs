@@ -40,15 +40,27 @@ impl AlphaPair {
     /// negative away from it. But for `Approximate` it is the potential's derivative.
     #[inline]
     pub fn force(&self, distance: f64) -> f64 {
+        self.force_and_weight(distance).0
+    }
+
+    /// The force and the weight a_ij at once.
+    #[inline]
+    pub fn force_and_weight(&self, distance: f64) -> (f64, f64) {
         let z = distance - self.spacing;
         match self.fade {
-            Fade::Sharp => self.action.force(z),
+            Fade::Sharp => (self.action.force(z), 1.0),
             Fade::Smooth(bump) => {
-                let share = distance / self.range;
-                bump.value(share) * self.action.force(z)
-                    + bump.slope(share) / self.range * self.action.potential(z)
+                let (weight, slope) = bump.value_and_slope(distance / self.range);
+                let mut force = weight * self.action.force(z);
+                if slope < 0.0 {
+                    force += slope / self.range * self.action.potential(z);
+                }
+                (force, weight)
             }
-            Fade::Approximate(bump) => bump.value(distance / self.range) * self.action.force(z),
+            Fade::Approximate(bump) => {
+                let weight = bump.value(distance / self.range);
+                (weight * self.action.force(z), weight)
+            }
         }
     }
 

@@ -17,22 +17,27 @@ impl Bump {
     }
 
     /// ρ(z), within [0, 1].
+    #[inline]
     pub fn value(&self, z: f64) -> f64 {
-        if z <= self.start {
-            1.0
-        } else if z >= 1.0 {
-            0.0
-        } else {
-            0.5 * (1.0 + self.phase(z).cos())
-        }
+        self.value_and_slope(z).0
     }
 
     /// ρ'(z), within [−π/(2(1 − k0)), 0].
+    #[inline]
     pub fn slope(&self, z: f64) -> f64 {
-        if z <= self.start || z >= 1.0 {
-            0.0
+        self.value_and_slope(z).1
+    }
+
+    /// ρ(z) and ρ'(z) at once.
+    #[inline]
+    pub fn value_and_slope(&self, z: f64) -> (f64, f64) {
+        if z <= self.start {
+            (1.0, 0.0)
+        } else if z >= 1.0 {
+            (0.0, 0.0)
         } else {
-            -0.5 * PI / (1.0 - self.start) * self.phase(z).sin()
+            let (sin, cos) = self.phase(z).sin_cos();
+            (0.5 * (1.0 + cos), -0.5 * PI / (1.0 - self.start) * sin)
         }
     }
 

@@ -22,7 +22,8 @@ pub fn agent_gap<const D: usize>(positions: &[Vector<D>], radii: &[f64]) -> Opti
         cells.rebuild(positions, range);
         let mut gap = f64::INFINITY;
         for (i, position) in positions.iter().enumerate() {
-            cells.for_each_within(position, range, |j, _, squared| {
+            cells.for_each_within(position, range, |place, _, squared| {
+                let j = cells.order()[place] as usize;
                 if i < j {
                     gap = gap.min(squared.sqrt() - radii[i] - radii[j]);
                 }

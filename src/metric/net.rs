@@ -18,7 +18,8 @@ impl Net {
         let mut edges = Vec::new();
         for (i, position) in positions.iter().enumerate() {
             let first = edges.len();
-            cells.for_each_within(position, range, |j, _, _| {
+            cells.for_each_within(position, range, |place, _, _| {
+                let j = cells.order()[place] as usize;
                 if i < j {
                     edges.push([i, j]);
                 }

@@ -88,8 +88,9 @@ impl<const D: usize> Cells<D> {
         self.starts[0] = 0;
     }
 
-    /// Calls `visit` with index, offset from `point` and squared distance of every
-    /// agent at most `range` from `point`, an agent at the point itself included.
+    /// Calls `visit` with place in the sorted order, offset from `point` and squared
+    /// distance of every agent at most `range` from `point`, an agent at the point itself
+    /// included.
     #[inline]
     pub fn for_each_within(
         &self,
@@ -108,11 +109,11 @@ impl<const D: usize> Cells<D> {
         });
         let mut scan = |from: usize, to: usize| {
             let (from, to) = (self.starts[from] as usize, self.starts[to] as usize);
-            for (position, &agent) in self.sorted[from..to].iter().zip(&self.order[from..to]) {
+            for (place, position) in self.sorted[from..to].iter().enumerate() {
                 let offset = position - point;
                 let squared = offset.norm_squared();
                 if squared <= limit {
-                    visit(agent as usize, offset, squared);
+                    visit(from + place, offset, squared);
                 }
             }
         };
@@ -134,6 +135,16 @@ impl<const D: usize> Cells<D> {
                 scan(base, base + end - self.slots[0]);
             }
         }
+    }
+
+    /// The agent at each place of the sorted order.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// The positions in the sorted order.
+    pub fn sorted(&self) -> &[Vector<D>] {
+        &self.sorted
     }
 
     fn cell(&self, point: &Vector<D>) -> [i64; D] {
@@ -162,7 +173,9 @@ mod tests {
 
     fn found<const D: usize>(cells: &Cells<D>, point: &Vector<D>, range: f64) -> Vec<usize> {
         let mut found = Vec::new();
-        cells.for_each_within(point, range, |j, _, _| found.push(j));
+        cells.for_each_within(point, range, |place, _, _| {
+            found.push(cells.order()[place] as usize)
+        });
         found.sort_unstable();
         found
     }

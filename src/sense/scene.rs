@@ -5,10 +5,15 @@ use crate::sense::Cells;
 use crate::shape::{Obstacle, Projection};
 
 /// The state of the world at one moment, as the laws see it.
+///
+/// Agents come in the order of the cells, where neighbours in space are neighbours in
+/// memory: what laws call agent `i` is the agent `agents[i]` of the world.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a, const D: usize> {
     /// Time since the start.
     pub time: f64,
+    /// The world's index of each agent.
+    pub agents: &'a [u32],
     /// Position of each agent.
     pub positions: &'a [Vector<D>],
     /// Velocity of each agent.

@@ -1,0 +1,83 @@
+//! The command line: arguments, and what each command prints and returns.
+//!
+//! Exit codes: 0 done, 1 failed or stopped, 2 bad input.
+
+mod check;
+mod load;
+mod progress;
+mod run;
+mod schema;
+mod summary;
+mod worlds;
+
+use std::fmt::Display;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Flocks with bodies: flocking and steering laws as forces on rigid bodies.
+#[derive(Debug, Parser)]
+#[command(name = "volary", version, about, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// What can be asked for.
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run a world and print how it went
+    Run(run::RunArguments),
+    /// Check worlds without running them
+    Check(check::CheckArguments),
+    /// List the shipped worlds, or print one
+    Worlds(worlds::WorldsArguments),
+    /// Print the JSON Schema of a file format
+    Schema(schema::SchemaArguments),
+}
+
+/// Why a command did not do what it was asked to.
+#[derive(Debug)]
+enum Refusal {
+    /// Something went wrong on the way: exit code 1.
+    Failed(String),
+    /// What was asked for makes no sense: exit code 2.
+    BadInput(String),
+}
+
+impl Refusal {
+    fn failed(message: impl Display) -> Self {
+        Self::Failed(message.to_string())
+    }
+
+    fn bad_input(message: impl Display) -> Self {
+        Self::BadInput(message.to_string())
+    }
+}
+
+/// Parses the arguments, does what they say and returns the exit code.
+pub fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Worlds(arguments) => worlds::worlds(&arguments),
+        Command::Schema(arguments) => schema::schema(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Refusal::Failed(message)) => complain(&message, 1),
+        Err(Refusal::BadInput(message)) => complain(&message, 2),
+    }
+}
+
+/// The one place that prints errors.
+fn complain(message: &str, code: u8) -> ExitCode {
+    eprintln!("{}", message.trim_end());
+    ExitCode::from(code)
+}
+
+/// Prints to standard output; a reader that has gone away, such as `head`, is no error.
+fn print(text: &str) {
+    use std::io::Write;
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}
