@@ -1,5 +1,6 @@
 //! Flocks with bodies.
 
 pub mod math;
+pub mod schema;
 pub mod trace;
 pub mod world;

@@ -21,5 +21,9 @@ pub fn saturate<const D: usize>(z: &Vector<D>) -> Vector<D> {
 /// The unit vector along `z`, or zero where `z` is zero.
 pub fn direction<const D: usize>(z: &Vector<D>) -> Vector<D> {
     let length = z.norm();
-    if length > 0.0 { z / length } else { Vector::zeros() }
+    if length > 0.0 {
+        z / length
+    } else {
+        Vector::zeros()
+    }
 }
