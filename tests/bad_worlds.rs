@@ -40,6 +40,12 @@ fn bad_worlds_say_what_is_wrong() {
         if show {
             println!("{}", report.render(true));
         }
+        let drawn = report.render(false);
+        for line in message.lines() {
+            // The drawing names the same place: name:line:column.
+            let place = line.split(": ").next().unwrap();
+            assert!(drawn.contains(place), "{place} is not in\n{drawn}");
+        }
         let beside = path.with_extension("expected");
         if bless {
             fs::write(&beside, &message).unwrap();

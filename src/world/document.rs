@@ -51,7 +51,7 @@ impl Document {
         self.clear(validate::problems(&world))?;
         let spec: WorldSpec = serde_json::from_value(world)
             .map_err(|error| self.report(vec![Problem::new("", error.to_string())]))?;
-        self.clear(check::problems(&spec))?;
+        self.clear(check::joint_problems(&spec))?;
         Ok(spec)
     }
 

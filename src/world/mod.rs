@@ -7,7 +7,6 @@
 pub mod check;
 mod describe;
 pub mod document;
-mod overlap;
 pub mod path;
 pub mod problem;
 pub mod report;

@@ -152,11 +152,10 @@ impl Report {
             true => problem.what.clone(),
             false => format!("{subject}: {}", problem.what),
         };
-        let label = Label::new(at.clone()).with_color(Color::Red);
-        let mut report = ariadne::Report::build(ReportKind::Error, at)
+        let mut report = ariadne::Report::build(ReportKind::Error, at.clone())
             .with_config(config)
             .with_message(message)
-            .with_label(label.with_message(&problem.what));
+            .with_label(Label::new(at).with_color(Color::Red));
         if let Some(allowed) = extra_allowed(problem) {
             report = report.with_note(format!("allowed: {allowed}"));
         }
@@ -200,7 +199,7 @@ impl Report {
             Place::Default(_) => format!("{path} (by default)"),
             Place::File(bytes) if !entry.problem.name_is_wrong && !path.is_empty() => {
                 match self.text.get(bytes.clone()) {
-                    Some(value) if !value.starts_with('{') => {
+                    Some(value) if !value.contains('{') => {
                         format!("{path} = {}", shorten(value))
                     }
                     _ => path.clone(),
@@ -238,7 +237,7 @@ impl Report {
     fn rest(&self) -> Option<String> {
         match self.entries.len() - self.shown().len() {
             0 => None,
-            rest => Some(format!("{}: {rest} more of the kind", self.name)),
+            rest => Some(format!("{}: and {rest} more", self.name)),
         }
     }
 }

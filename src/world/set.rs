@@ -127,7 +127,7 @@ impl fmt::Display for Override {
 }
 
 /// What kind of value this is, with its article.
-pub fn kind(value: &Value) -> &'static str {
+pub(super) fn kind(value: &Value) -> &'static str {
     match value {
         Value::Null => "null",
         Value::Bool(_) => "true or false",

@@ -22,25 +22,13 @@ pub fn get(name: &str) -> Option<&'static str> {
 /// The shipped world whose name is nearest to one that does not exist, if any is
 /// near enough, or is what the given name is a part of.
 pub fn nearest(name: &str) -> Option<String> {
-    let names = names();
     let name = name.trim_start_matches("worlds/").trim_end_matches(".json");
-    let last = |full: &'_ str| full.rsplit('/').next().map(str::to_owned);
-    let part = || {
-        names
-            .iter()
-            .find(|full| !name.is_empty() && full.contains(name))
-    };
-    let by_last = || {
-        names.iter().find(|full| {
-            last(full)
-                .as_deref()
-                .is_some_and(|it| words::nearest(name, [it]).is_some())
-        })
-    };
-    let whole = words::nearest(name, names.iter().map(String::as_str)).map(str::to_owned);
-    whole
-        .or_else(|| part().cloned())
-        .or_else(|| by_last().cloned())
+    let names = names();
+    let all = || names.iter().map(String::as_str);
+    words::nearest(name, all())
+        .or_else(|| all().find(|full| !name.is_empty() && full.contains(name)))
+        .or_else(|| all().find(|full| words::nearest(name, full.rsplit('/').next()).is_some()))
+        .map(str::to_owned)
 }
 
 fn collect(folder: &Dir, names: &mut Vec<String>) {

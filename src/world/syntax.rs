@@ -90,10 +90,16 @@ fn look(value: &ast::Value, text: &str, path: &mut Path, found: &mut Vec<Found>)
     }
 }
 
+const NO_NUMBERS: &str = "infinity and NaN are no numbers in JSON";
+
 fn syntax_error(text: &str, error: &ParseError) -> Found {
     use ParseErrorKind::*;
     let at = bytes(&error.range());
-    let written = text.get(at.clone()).unwrap_or_default();
+    let written = word(text, at.start);
+    let after_zero = text
+        .get(..at.start)
+        .is_some_and(|before| before.ends_with('0'));
+    let digit = |c: char| c.is_ascii_digit();
     let mut hint = None;
     let what = match error.kind() {
         CommentsNotAllowed => {
@@ -101,6 +107,9 @@ fn syntax_error(text: &str, error: &ParseError) -> Found {
             "JSON has no comments".to_owned()
         }
         TrailingCommasNotAllowed => "a comma must not stand before a closing bracket".into(),
+        ExpectedComma if after_zero && written.starts_with(digit) => {
+            "a number must not begin with 0".into()
+        }
         ExpectedComma => "a comma is missing here".into(),
         ExpectedColonAfterObjectKey => "a colon must follow the name of a field".into(),
         ExpectedObjectValue => "a value must follow the colon".into(),
@@ -115,7 +124,7 @@ fn syntax_error(text: &str, error: &ParseError) -> Found {
             "this text has no closing double quote".into()
         }
         String(_) => "this text has an escape that JSON does not know".into(),
-        NonFiniteNumbersNotAllowed => "infinity and NaN are no numbers in JSON".into(),
+        NonFiniteNumbersNotAllowed => NO_NUMBERS.into(),
         HexadecimalNumbersNotAllowed => "numbers must be decimal".into(),
         UnaryPlusNumbersNotAllowed => "a number must not begin with a plus sign".into(),
         BareDecimalPointNumbersNotAllowed => {
@@ -126,13 +135,12 @@ fn syntax_error(text: &str, error: &ParseError) -> Found {
         | ExpectedPlusMinusOrDigitInNumberLiteral => "this number is incomplete".into(),
         UnexpectedWord => {
             hint = did_you_mean(written, ["true", "false", "null"]);
-            "this word has no meaning in JSON; text must stand in double quotes".into()
+            format!("`{written}` means nothing in JSON; text must stand in double quotes")
         }
         NestingDepthExceeded => "brackets are nested too deeply".into(),
-        _ => match written.chars().next() {
-            Some(first) => format!("`{first}` must not stand here"),
-            None => "the file ends too early".into(),
-        },
+        _ if ["NaN", "Infinity"].contains(&written) => NO_NUMBERS.into(),
+        _ if written.is_empty() => "the file ends too early".into(),
+        _ => format!("`{written}` must not stand here"),
     };
     let at = match error.kind() {
         // The range is the whole rest of the file; its bracket says enough.
@@ -146,6 +154,16 @@ fn syntax_error(text: &str, error: &ParseError) -> Found {
     (problem, at)
 }
 
+/// The word that begins at a byte, or the one character there that begins none.
+fn word(text: &str, start: usize) -> &str {
+    let rest = text.get(start..).unwrap_or_default();
+    let first = rest.chars().next().map_or(0, char::len_utf8);
+    let end = rest
+        .find(|c: char| !c.is_alphanumeric())
+        .unwrap_or(rest.len());
+    &rest[..end.max(first)]
+}
+
 /// What `serde_json` refuses although the other parser took it.
 fn last_word(text: &str, error: &serde_json::Error) -> Found {
     let line_start: usize = text
@@ -153,11 +171,15 @@ fn last_word(text: &str, error: &serde_json::Error) -> Found {
         .take(error.line().saturating_sub(1))
         .map(str::len)
         .sum();
-    let at = (line_start + error.column().saturating_sub(1)).min(text.len());
+    let at = text.floor_char_boundary((line_start + error.column()).saturating_sub(1));
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or_default();
     let what = match message {
         "recursion limit exceeded" => "brackets are nested too deeply".to_owned(),
+        other if other.starts_with("control character") => {
+            "text must not hold line ends, tabs or other control characters; write them as \\n, \\t"
+                .into()
+        }
         other => format!("this is not JSON: {other}"),
     };
     (Problem::new("", what), at..at)

@@ -11,7 +11,7 @@ use super::describe::{alternatives, fields, fits, form, name, part, range};
 use super::path::{Path, Step};
 use super::problem::Problem;
 use super::set::kind;
-use super::words::did_you_mean;
+use super::words::{did_you_mean, nearest};
 
 static VALIDATOR: LazyLock<Validator> = LazyLock::new(|| {
     let schema = crate::schema::world();
@@ -50,7 +50,9 @@ fn explain(error: &ValidationError, problems: &mut Vec<Problem>) {
         }
         Kind::Required { property } => {
             let name = property.as_str().unwrap_or_default();
-            problems.push(Problem::new(here, format!("missing field `{name}`")));
+            if !is_misspelt(name, value, &fields(schema)) {
+                problems.push(Problem::new(here, format!("missing field `{name}`")));
+            }
         }
         Kind::AdditionalProperties { unexpected } => {
             let known = fields(schema);
@@ -104,12 +106,17 @@ fn choose(path: &Path, schema: &'static Value, value: &Value) -> Result<usize, P
                 }
             }
         }
+        Value::Object(object) if object.is_empty() => {
+            let problem = Problem::new(here, format!("must name a {noun}"));
+            Err(problem.allowed(known.join(", ")))
+        }
         Value::Object(object) => {
-            let what = match object.len() {
-                0 => format!("must name a {noun}"),
-                several => format!("must hold just one {noun}, not {several}"),
-            };
-            Err(Problem::new(here, what).allowed(known.join(", ")))
+            let what = format!("must hold just one {noun}, not {}", object.len());
+            let problem = Problem::new(here, what).allowed(known.join(", "));
+            Err(match path.0.last() {
+                Some(Step::Entry(_)) => problem.hint("give each an entry of its own"),
+                _ => problem,
+            })
         }
         Value::String(text) if known.contains(&text.as_str()) => Err(Problem::new(
             here,
@@ -133,11 +140,22 @@ fn wrong_form(path: &Path, schema: &'static Value, value: &Value) -> Problem {
     };
     let problem = Problem::new(path.to_string(), what);
     match value.as_str() {
-        Some(text) if form.contains("number") && text.trim().parse::<f64>().is_ok() => {
+        Some(text) if form.contains("number") && text.trim().parse().is_ok_and(f64::is_finite) => {
             problem.hint("write it without quotes")
         }
         _ => problem,
     }
+}
+
+/// Whether an object has an unknown field that likely means this one. Then that
+/// field is reported, and what it leaves missing is no second mistake.
+fn is_misspelt(name: &str, object: &Value, known: &[&str]) -> bool {
+    let fields = object.as_object();
+    let mut unknown = fields
+        .into_iter()
+        .flat_map(|fields| fields.keys())
+        .filter(|field| !known.contains(&field.as_str()));
+    unknown.any(|field| nearest(field, known.iter().copied()) == Some(name))
 }
 
 /// The same problem with the known names, and the one that was likely meant.

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::problem::Problem;
-use super::spec::{PlacementSpec, WorldSpec};
-use super::words::number;
+use crate::world::problem::Problem;
+use crate::world::spec::{PlacementSpec, WorldSpec};
+use crate::world::words::number;
 
 /// Bodies that touch exactly may seem to overlap by rounding; this share of the
 /// distance at which they touch is forgiven.
