@@ -2,11 +2,14 @@
 
 use std::sync::LazyLock;
 
+use schemars::schema_for;
 use serde_json::Value;
 
+use super::spec::WorldSpec;
 use super::words::{any_of, number};
 
-static SCHEMA: LazyLock<Value> = LazyLock::new(crate::schema::world);
+/// The schema of world files.
+pub static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_for!(WorldSpec).to_value());
 
 /// The part of the schema at a JSON pointer; null where there is none.
 pub fn part(pointer: &str) -> &'static Value {

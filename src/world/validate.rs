@@ -7,15 +7,14 @@ use jsonschema::paths::LocationSegment;
 use jsonschema::{ValidationError, Validator};
 use serde_json::Value;
 
-use super::describe::{alternatives, fields, fits, form, name, part, range};
+use super::describe::{SCHEMA, alternatives, fields, fits, form, name, part, range};
 use super::path::{Path, Step};
 use super::problem::Problem;
 use super::set::kind;
 use super::words::{did_you_mean, nearest};
 
 static VALIDATOR: LazyLock<Validator> = LazyLock::new(|| {
-    let schema = crate::schema::world();
-    jsonschema::validator_for(&schema).expect("the schema is made from our own types")
+    jsonschema::validator_for(&SCHEMA).expect("the schema is made from our own types")
 });
 
 /// Everything in which a value departs from the schema of world files.
