@@ -1,9 +1,11 @@
 //! Vectors and the scalar functions that the laws are made of.
 
 mod action;
+mod alpha_pair;
 mod bump;
 
 pub use action::Action;
+pub use alpha_pair::{AlphaPair, Fade};
 pub use bump::Bump;
 
 /// A vector of the `D`-dimensional world.
@@ -26,4 +28,12 @@ pub fn direction<const D: usize>(z: &Vector<D>) -> Vector<D> {
     } else {
         Vector::zeros()
     }
+}
+
+/// The mean of some vectors, summed in their order; zero where there are none.
+pub fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {
+    if vectors.is_empty() {
+        return Vector::zeros();
+    }
+    vectors.iter().sum::<Vector<D>>() / vectors.len() as f64
 }

@@ -1,15 +1,18 @@
-//! Worlds: what a world file says, checked and resolved.
+//! Worlds: what a world file says, checked and resolved into agents and obstacles.
 //!
 //! A [`Document`](document::Document) reads the text of a file, in stages, into a
 //! [`WorldSpec`](spec::WorldSpec), or into a [`Report`](report::Report) of
-//! everything that is wrong with it.
+//! everything that is wrong with it. The spec is then resolved into a [`World`].
 
 pub mod check;
 mod describe;
 pub mod document;
 pub mod path;
+mod placement;
 pub mod problem;
+mod random;
 pub mod report;
+mod resolve;
 pub mod set;
 pub mod shipped;
 mod span;
@@ -17,3 +20,19 @@ pub mod spec;
 mod syntax;
 mod validate;
 mod words;
+
+pub use problem::Problem;
+pub use resolve::{Agents, AnyWorld, World};
+
+use crate::math::Vector;
+
+/// A vector from a list of numbers; numbers beyond `D` are left out, missing ones are 0.
+/// Checked worlds hold lists of the right length only.
+pub fn vector<const D: usize>(numbers: &[f64]) -> Vector<D> {
+    Vector::from_fn(|k, _| numbers.get(k).copied().unwrap_or(0.0))
+}
+
+/// As [`vector`]; zero where nothing is given.
+pub fn vector_or_zero<const D: usize>(numbers: &Option<Vec<f64>>) -> Vector<D> {
+    vector(numbers.as_deref().unwrap_or_default())
+}

@@ -10,7 +10,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::math::Action;
+use crate::math::{Action, AlphaPair, Bump, Fade};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -500,6 +500,23 @@ impl ActionSpec {
     /// The function that these limits make.
     pub fn action(&self) -> Action {
         Action::new(self.attraction, self.repulsion)
+    }
+}
+
+impl AlphaInteractionSpec {
+    /// The pair interaction that these parameters make.
+    pub fn pair(&self) -> AlphaPair {
+        let bump = Bump::new(self.bump_start);
+        AlphaPair {
+            action: self.action.action(),
+            spacing: self.spacing,
+            range: self.range,
+            fade: match self.protocol {
+                AlphaProtocol::Nonsmooth => Fade::Sharp,
+                AlphaProtocol::Smooth | AlphaProtocol::SmoothWeightedDamping => Fade::Smooth(bump),
+                AlphaProtocol::Approximate => Fade::Approximate(bump),
+            },
+        }
     }
 }
 

@@ -1,0 +1,259 @@
+//! The coupling of a flock to rigid bodies, second order in the step.
+//!
+//! In a step of size h with n solver substeps and the acceleration F held fixed, the engine
+//! does u ← u + hF and x ← x + h u + h²F(n + 1)/(2n). Taken as they stand, u and x follow
+//! the equations of motion to first order only. But if u is read as the velocity at time
+//! t − h/(2n), half a substep earlier, then
+//!
+//! - the position update is exact to second order;
+//! - the velocity update is, when F is the acceleration in the middle of the interval that
+//!   u spans, at t + h/2 − h/(2n): F_k = a_k + (n − 1)/(2n) (a_k − a_{k−1});
+//! - the velocity at t is u + h/(2n) F_{k−1}, to second order.
+//!
+//! For n = 1 this is the leapfrog: F_k = a_k, and u lives half a step behind. The laws stay
+//! as they are, each is evaluated once a step, and forces that sum to zero keep the
+//! momentum. The price is stability: velocity feedback of rate λ needs λh < 1.
+//!
+//! A body that was touched has its velocity read as it stands: the engine's velocity after
+//! a contact is the one it moves on with.
+
+use thiserror::Error;
+
+use crate::dynamics::{Engine, Physics, Snapshot, Touch, Touched};
+use crate::law::Flock;
+use crate::math::Vector;
+use crate::shape::In;
+use crate::world::World;
+
+/// Why a run cannot go on.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum Failure {
+    /// The laws gave an acceleration that is not a number, or too large to act on.
+    #[error(
+        "the acceleration of agent {agent} at time {time} is {value}: the laws ask for more than \
+         can be computed; a smaller step or smaller gains may help"
+    )]
+    Acceleration {
+        /// The agent.
+        agent: usize,
+        /// The time.
+        time: f64,
+        /// The acceleration, printed.
+        value: String,
+    },
+    /// A body's position or velocity is not finite any more.
+    #[error("the state of agent {agent} became non-finite at time {time}")]
+    State {
+        /// The agent.
+        agent: usize,
+        /// The time.
+        time: f64,
+    },
+}
+
+/// Agents as rigid bodies.
+pub struct Bodies<const D: usize> {
+    physics: Box<dyn Physics<D>>,
+    masses: Vec<f64>,
+    force_limits: Vec<f64>,
+    gravity: Vector<D>,
+    step_size: f64,
+    substeps: f64,
+    step: u64,
+    positions: Vec<Vector<D>>,
+    /// Velocities at the time of the positions: those that laws and observers see.
+    velocities: Vec<Vector<D>>,
+    /// Velocities as the engine has them, half a substep behind.
+    engine_velocities: Vec<Vector<D>>,
+    /// What the laws ask for now, and what they asked for a step ago.
+    wanted: Vec<Vector<D>>,
+    wanted_before: Vec<Vector<D>>,
+    /// What was applied: accelerations, and the forces that cause them.
+    applied: Vec<Vector<D>>,
+    forces: Vec<Vector<D>>,
+    touches: Vec<Touch<D>>,
+    force_cuts: u64,
+}
+
+impl<const D: usize> Bodies<D> {
+    /// The bodies of a world at its start, about to obey `flock`.
+    pub fn new(world: &World<D>, flock: &mut Flock<D>) -> Result<Self, Failure>
+    where
+        In<D>: Engine<D>,
+    {
+        let agents = &world.agents;
+        let zeros = vec![Vector::zeros(); agents.len()];
+        let mut bodies = Self {
+            physics: <In<D> as Engine<D>>::physics(world),
+            masses: agents.mass.clone(),
+            force_limits: agents.force_limit.clone(),
+            gravity: world.gravity,
+            step_size: world.spec.time.step,
+            substeps: world.spec.physics.solver_iterations as f64,
+            step: 0,
+            positions: agents.positions.clone(),
+            velocities: agents.velocities.clone(),
+            engine_velocities: agents.velocities.clone(),
+            wanted: zeros.clone(),
+            wanted_before: zeros.clone(),
+            applied: zeros.clone(),
+            forces: zeros,
+            touches: Vec::new(),
+            force_cuts: 0,
+        };
+        // Set the engine's velocities back by half a substep.
+        bodies.ask(world, flock);
+        bodies.decide()?;
+        bodies.force_cuts = 0;
+        for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
+            *velocity -= applied * (0.5 * bodies.step_size / bodies.substeps);
+        }
+        bodies.physics.set_velocities(&bodies.engine_velocities);
+        Ok(bodies)
+    }
+
+    /// Takes one step.
+    pub fn step(&mut self, world: &World<D>, flock: &mut Flock<D>) -> Result<(), Failure> {
+        self.ask(world, flock);
+        self.decide()?;
+        self.physics.step(&self.forces);
+        self.find_touches();
+        self.step += 1;
+        std::mem::swap(&mut self.wanted, &mut self.wanted_before);
+        self.physics
+            .read(&mut self.positions, &mut self.engine_velocities);
+        let lag = 0.5 * self.step_size / self.substeps;
+        for (i, velocity) in self.velocities.iter_mut().enumerate() {
+            *velocity = self.engine_velocities[i] + self.applied[i] * lag;
+        }
+        for touch in &self.touches {
+            self.velocities[touch.agent] = self.engine_velocities[touch.agent];
+            if let Touched::Agent(other) = touch.touched {
+                self.velocities[other] = self.engine_velocities[other];
+            }
+        }
+        self.check_state()
+    }
+
+    /// The state now.
+    pub fn snapshot(&self) -> Snapshot<'_, D> {
+        Snapshot {
+            step: self.step,
+            time: self.time(),
+            positions: &self.positions,
+            velocities: &self.velocities,
+        }
+    }
+
+    /// The contacts of the last step, ordered by who touched what.
+    pub fn touches(&self) -> &[Touch<D>] {
+        &self.touches
+    }
+
+    /// The contacts of the present positions, ordered by who touches what: those that
+    /// no step has answered yet, so without impulse.
+    pub fn touches_now(&mut self) -> Vec<Touch<D>> {
+        self.physics.detect();
+        let mut touches = Vec::new();
+        self.physics.touches(&mut touches);
+        touches.retain(|touch| touch.gap <= 0.0);
+        touches.sort_by_key(|touch| (touch.agent, touch.touched));
+        for touch in &mut touches {
+            touch.impulse = 0.0;
+            touch.position = self.positions[touch.agent];
+            touch.approach_speed = approach_speed(touch, &self.velocities);
+        }
+        touches
+    }
+
+    /// Agent-steps in which the actuator limit cut the force.
+    pub fn force_cuts(&self) -> u64 {
+        self.force_cuts
+    }
+
+    fn time(&self) -> f64 {
+        self.step as f64 * self.step_size
+    }
+
+    fn ask(&mut self, world: &World<D>, flock: &mut Flock<D>) {
+        flock.accelerations(
+            self.time(),
+            &self.positions,
+            &self.velocities,
+            &world.obstacles,
+            &mut self.wanted,
+        );
+        if self.step == 0 {
+            self.wanted_before.clone_from(&self.wanted);
+        }
+    }
+
+    /// Turns what the laws ask for into forces within the actuators' limits.
+    fn decide(&mut self) -> Result<(), Failure> {
+        let lead = (self.substeps - 1.0) / (2.0 * self.substeps);
+        for i in 0..self.wanted.len() {
+            let wanted = self.wanted[i] + (self.wanted[i] - self.wanted_before[i]) * lead;
+            let mut push = wanted * self.masses[i];
+            let size = push.norm();
+            if size > self.force_limits[i] {
+                push *= self.force_limits[i] / size;
+                self.force_cuts += 1;
+            }
+            self.forces[i] = push + self.gravity * self.masses[i];
+            self.applied[i] = self.forces[i] / self.masses[i];
+            // Squared speeds must stay finite as well, or the engine stops the body.
+            let speed_gained = self.applied[i] * self.step_size;
+            if !(speed_gained.norm_squared() + self.forces[i].norm_squared()).is_finite() {
+                return Err(Failure::Acceleration {
+                    agent: i,
+                    time: self.time(),
+                    value: format!("{:?}", wanted.as_slice()),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads the contacts of the step just taken; positions and velocities are still
+    /// those before it.
+    fn find_touches(&mut self) {
+        self.touches.clear();
+        self.physics.touches(&mut self.touches);
+        self.touches
+            .sort_by_key(|touch| (touch.agent, touch.touched));
+        if self.touches.is_empty() {
+            return;
+        }
+        // The velocities that the bodies would have moved with.
+        for (velocity, applied) in self.engine_velocities.iter_mut().zip(&self.applied) {
+            *velocity += applied * self.step_size;
+        }
+        for touch in &mut self.touches {
+            touch.position = self.positions[touch.agent];
+            touch.approach_speed = approach_speed(touch, &self.engine_velocities);
+        }
+    }
+
+    fn check_state(&self) -> Result<(), Failure> {
+        let finite = |i: &usize| {
+            let size = self.positions[*i].norm_squared() + self.velocities[*i].norm_squared();
+            size.is_finite()
+        };
+        let broken = (0..self.positions.len()).find(|i| !finite(i));
+        match broken.or_else(|| self.physics.lost().first().copied()) {
+            None => Ok(()),
+            Some(agent) => Err(Failure::State {
+                agent,
+                time: self.time(),
+            }),
+        }
+    }
+}
+
+fn approach_speed<const D: usize>(touch: &Touch<D>, velocities: &[Vector<D>]) -> f64 {
+    let other = match touch.touched {
+        Touched::Agent(other) => velocities[other],
+        Touched::Obstacle(_) => Vector::zeros(),
+    };
+    (velocities[touch.agent] - other).dot(&touch.normal)
+}

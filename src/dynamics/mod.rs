@@ -1,0 +1,110 @@
+//! Dynamics: what moves the agents.
+//!
+//! [`Bodies`] couples a flock to rigid bodies in rapier. The engine itself sits behind
+//! [`Physics`], written once and compiled for each dimension.
+
+mod bodies;
+
+pub use bodies::{Bodies, Failure};
+
+use crate::math::Vector;
+use crate::shape::{Geometry, In};
+use crate::world::World;
+
+/// The state of the agents at the end of a step, for those who observe.
+#[derive(Debug, Clone, Copy)]
+pub struct Snapshot<'a, const D: usize> {
+    /// Steps taken so far.
+    pub step: u64,
+    /// Time, step × size of the step.
+    pub time: f64,
+    /// Position of each agent.
+    pub positions: &'a [Vector<D>],
+    /// Velocity of each agent.
+    pub velocities: &'a [Vector<D>],
+}
+
+/// What a body touched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Touched {
+    /// Another agent, by index.
+    Agent(usize),
+    /// An obstacle, by index.
+    Obstacle(usize),
+}
+
+/// Two bodies that touched during a step: a positive impulse, or a gap of zero or less.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Touch<const D: usize> {
+    /// The agent; the one with the lower index where both are agents.
+    pub agent: usize,
+    /// What it touched.
+    pub touched: Touched,
+    /// Gap between the surfaces at the start of the step; negative where they overlap.
+    pub gap: f64,
+    /// Normal impulse of the step.
+    pub impulse: f64,
+    /// Speed of approach along the normal, had nothing been in the way.
+    pub approach_speed: f64,
+    /// Unit normal, pointing from the agent to what it touched.
+    pub normal: Vector<D>,
+    /// Position of the agent at the start of the step.
+    pub position: Vector<D>,
+}
+
+/// A world of rigid bodies: one for each agent, and the obstacles.
+pub trait Physics<const D: usize>: Send {
+    /// Copies the positions and the engine's velocities of the agents.
+    fn read(&self, positions: &mut [Vector<D>], velocities: &mut [Vector<D>]);
+
+    /// Sets the velocity of each agent.
+    fn set_velocities(&mut self, velocities: &[Vector<D>]);
+
+    /// Takes one step under these forces, which end with it.
+    fn step(&mut self, forces: &[Vector<D>]);
+
+    /// Finds the contacts of the present positions, without moving anything.
+    fn detect(&mut self);
+
+    /// Appends the contacts of the last step or detection; `position` and
+    /// `approach_speed` are left at zero.
+    fn touches(&self, out: &mut Vec<Touch<D>>);
+
+    /// The agents that the engine gave up because their state became non-finite.
+    fn lost(&self) -> Vec<usize>;
+}
+
+/// Access to the engine of one dimension; implemented by [`In<2>`] and [`In<3>`].
+pub trait Engine<const D: usize>: Geometry<D> {
+    /// The bodies of a world, at its start.
+    fn physics(world: &World<D>) -> Box<dyn Physics<D>>;
+}
+
+#[path = "."]
+mod plane {
+    use crate::shape::plane as geometry;
+    use rapier2d as rapier;
+    const D: usize = 2;
+    #[path = "rapier.rs"]
+    mod adapter;
+}
+
+#[path = "."]
+mod space {
+    use crate::shape::space as geometry;
+    use rapier3d as rapier;
+    const D: usize = 3;
+    #[path = "rapier.rs"]
+    mod adapter;
+}
+
+const _: () = {
+    // Both dimensions must have an engine, or no world of that dimension could run.
+    const fn has_engine<const D: usize>()
+    where
+        In<D>: Engine<D>,
+    {
+    }
+    has_engine::<2>();
+    has_engine::<3>();
+};

@@ -1,0 +1,83 @@
+//! The (α, α) protocols.
+//!
+//! u_i = Σ_j f(|q_j − q_i|) n_ij + c1 w_ij (p_j − p_i) over the neighbours j within r,
+//! with n_ij the unit vector from i to j.
+//! R. Olfati-Saber, "Flocking with Obstacle Avoidance", 2003.
+//!
+//! | protocol | f | w_ij | source |
+//! |---|---|---|---|
+//! | `nonsmooth` | φ_α | 1 | (34) |
+//! | `smooth` | a_ij φ_α + ρ'ψ_α/r | 1 | (35) |
+//! | `smooth_weighted_damping` | as `smooth` | a_ij | (35), with the weight that later papers give the damping |
+//! | `approximate` | a_ij φ_α | 1 | (36) |
+//!
+//! | parameter | symbol | unit |
+//! |---|---|---|
+//! | `spacing` | d_α | length |
+//! | `range` | r | length |
+//! | `damping` | c1 | 1/time |
+//! | `action.attraction`, `action.repulsion` | a, b | acceleration |
+//! | `bump_start` | k0 | 1 |
+//!
+//! The forces on a pair are equal and opposite, so the sum over equal masses is zero.
+//! Two agents at the same point have no direction between them and exert no force.
+
+use crate::law::Law;
+use crate::math::{AlphaPair, Vector};
+use crate::sense::Scene;
+use crate::world::spec::{AlphaInteractionSpec, AlphaProtocol};
+
+/// The (α, α) protocols; see the module.
+#[derive(Debug, Clone)]
+pub struct AlphaInteraction {
+    pair: AlphaPair,
+    damping: f64,
+    weighted_damping: bool,
+}
+
+impl AlphaInteraction {
+    /// The law with the parameters of a world file.
+    pub fn new(spec: &AlphaInteractionSpec) -> Self {
+        Self {
+            pair: spec.pair(),
+            damping: spec.damping,
+            weighted_damping: spec.protocol == AlphaProtocol::SmoothWeightedDamping,
+        }
+    }
+}
+
+impl<const D: usize> Law<D> for AlphaInteraction {
+    fn name(&self) -> &str {
+        "alpha_interaction"
+    }
+
+    fn range(&self) -> f64 {
+        self.pair.range
+    }
+
+    fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
+        for (k, acceleration) in out.iter_mut().enumerate() {
+            let i = first + k;
+            let (q, p) = (scene.positions[i], scene.velocities[i]);
+            let mut sum = Vector::zeros();
+            scene
+                .cells
+                .for_each_within(&q, self.pair.range, |j, offset, squared| {
+                    if j == i {
+                        return;
+                    }
+                    let distance = squared.sqrt();
+                    if distance > 0.0 {
+                        sum += offset * (self.pair.force(distance) / distance);
+                    }
+                    let weight = if self.weighted_damping {
+                        self.pair.weight(distance)
+                    } else {
+                        1.0
+                    };
+                    sum += (scene.velocities[j] - p) * (self.damping * weight);
+                });
+            *acceleration += sum;
+        }
+    }
+}

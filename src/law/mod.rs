@@ -1,0 +1,52 @@
+//! Laws: what accelerates the agents. One file per law.
+//!
+//! A law adds to the acceleration of each agent; the flock sums its laws, so their
+//! order does not matter but for rounding. To add one: write its file, add its
+//! parameters to [`LawSpec`] and its line to [`build`].
+
+mod alpha_interaction;
+mod flock;
+mod navigation;
+mod obstacle_avoidance;
+
+pub use alpha_interaction::AlphaInteraction;
+pub use flock::Flock;
+pub use navigation::Navigation;
+pub use obstacle_avoidance::ObstacleAvoidance;
+
+use crate::math::Vector;
+use crate::sense::Scene;
+use crate::world::World;
+use crate::world::spec::LawSpec;
+
+/// A law: a map from what the agents see to what they want to accelerate by.
+pub trait Law<const D: usize>: Send + Sync {
+    /// Name of the law, for traces and reports.
+    fn name(&self) -> &str;
+
+    /// Largest distance at which the law looks for neighbours through
+    /// [`Scene::cells`]; 0 where it does not.
+    fn range(&self) -> f64 {
+        0.0
+    }
+
+    /// Adds the law's acceleration of the agents `first`, `first + 1`, … to `out`, one
+    /// entry for each. Must be the same however the agents are split into calls.
+    fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]);
+}
+
+/// The laws of a world, in its order.
+pub fn build<const D: usize>(world: &World<D>) -> Vec<Box<dyn Law<D>>> {
+    world
+        .spec
+        .laws
+        .iter()
+        .map(|spec| -> Box<dyn Law<D>> {
+            match spec {
+                LawSpec::AlphaInteraction(spec) => Box::new(AlphaInteraction::new(spec)),
+                LawSpec::ObstacleAvoidance(spec) => Box::new(ObstacleAvoidance::new(spec, world)),
+                LawSpec::Navigation(spec) => Box::new(Navigation::new(spec)),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,214 @@
+//! Neighbour search: a list of cells, sorted.
+
+use crate::math::Vector;
+
+/// Agents sorted by cubic cells, so that those near a point are found without
+/// looking at the others.
+///
+/// The grid wraps around: cells a whole number of grid widths apart share a slot, so
+/// that its size follows the number of agents, however far they fly apart. Distances
+/// are always checked, so sharing costs time and never correctness. Agents come in a
+/// fixed order (by slot, then by index), whatever the number of threads.
+#[derive(Debug, Clone)]
+pub struct Cells<const D: usize> {
+    origin: Vector<D>,
+    side: f64,
+    /// Slots along each axis, a power of two.
+    slots: [usize; D],
+    /// Where each slot begins in `order`; one more entry than slots.
+    starts: Vec<u32>,
+    order: Vec<u32>,
+    sorted: Vec<Vector<D>>,
+    /// Scratch: the slot of each agent.
+    slot_of: Vec<u32>,
+}
+
+impl<const D: usize> Default for Cells<D> {
+    fn default() -> Self {
+        Self {
+            origin: Vector::zeros(),
+            side: 1.0,
+            slots: [1; D],
+            starts: vec![0, 0],
+            order: Vec::new(),
+            sorted: Vec::new(),
+            slot_of: Vec::new(),
+        }
+    }
+}
+
+impl<const D: usize> Cells<D> {
+    /// Sorts finite `positions` into cells whose side is `side` > 0, forgetting what
+    /// was there. Searches are quickest with a range of one side.
+    pub fn rebuild(&mut self, positions: &[Vector<D>], side: f64) {
+        debug_assert!(side > 0.0);
+        self.side = side;
+        let mut min = Vector::<D>::repeat(f64::INFINITY);
+        let mut max = Vector::<D>::repeat(f64::NEG_INFINITY);
+        for position in positions {
+            min = min.inf(position);
+            max = max.sup(position);
+        }
+        self.origin = min;
+        let target = (2 * positions.len()).max(1);
+        self.slots = std::array::from_fn(|axis| {
+            let cells = ((max[axis] - min[axis]) / side).floor() + 1.0;
+            (cells.clamp(1.0, target as f64) as usize).next_power_of_two()
+        });
+        while self.slots.iter().product::<usize>() > 2 * target {
+            let longest = (0..D).max_by_key(|&axis| self.slots[axis]).unwrap_or(0);
+            self.slots[longest] /= 2;
+        }
+
+        let total: usize = self.slots.iter().product();
+        self.starts.clear();
+        self.starts.resize(total + 1, 0);
+        self.slot_of.clear();
+        for position in positions {
+            let slot = self.slot(&self.cell(position));
+            self.slot_of.push(slot as u32);
+            self.starts[slot + 1] += 1;
+        }
+        for slot in 0..total {
+            self.starts[slot + 1] += self.starts[slot];
+        }
+        // Filling from the front moves each start to its slot's end; shifting the
+        // table by one slot afterwards restores it.
+        self.order.clear();
+        self.order.resize(positions.len(), 0);
+        self.sorted.clear();
+        self.sorted.resize(positions.len(), Vector::zeros());
+        for (agent, &slot) in self.slot_of.iter().enumerate() {
+            let place = &mut self.starts[slot as usize];
+            self.order[*place as usize] = agent as u32;
+            self.sorted[*place as usize] = positions[agent];
+            *place += 1;
+        }
+        self.starts.copy_within(0..total, 1);
+        self.starts[0] = 0;
+    }
+
+    /// Calls `visit` with index, offset from `point` and squared distance of every
+    /// agent at most `range` from `point`, an agent at the point itself included.
+    #[inline]
+    pub fn for_each_within(
+        &self,
+        point: &Vector<D>,
+        range: f64,
+        mut visit: impl FnMut(usize, Vector<D>, f64),
+    ) {
+        let limit = range * range;
+        let cell = self.cell(point);
+        let reach = (range / self.side).ceil().min(1e9) as i64;
+        // Along an axis with few slots the window may wrap onto itself: each slot once.
+        let width: [usize; D] =
+            std::array::from_fn(|axis| self.slots[axis].min(2 * reach as usize + 1));
+        let first: [usize; D] = std::array::from_fn(|axis| {
+            (cell[axis].wrapping_sub(reach)) as usize & (self.slots[axis] - 1)
+        });
+        let mut scan = |from: usize, to: usize| {
+            let (from, to) = (self.starts[from] as usize, self.starts[to] as usize);
+            for (position, &agent) in self.sorted[from..to].iter().zip(&self.order[from..to]) {
+                let offset = position - point;
+                let squared = offset.norm_squared();
+                if squared <= limit {
+                    visit(agent as usize, offset, squared);
+                }
+            }
+        };
+        // Rows run along the first axis, where slots are neighbours in memory.
+        let rows: usize = width[1..].iter().product();
+        for row in 0..rows {
+            let (mut rest, mut base, mut stride) = (row, 0, self.slots[0]);
+            for axis in 1..D {
+                let at = (first[axis] + rest % width[axis]) & (self.slots[axis] - 1);
+                base += at * stride;
+                stride *= self.slots[axis];
+                rest /= width[axis];
+            }
+            let end = first[0] + width[0];
+            if end <= self.slots[0] {
+                scan(base + first[0], base + end);
+            } else {
+                scan(base + first[0], base + self.slots[0]);
+                scan(base, base + end - self.slots[0]);
+            }
+        }
+    }
+
+    fn cell(&self, point: &Vector<D>) -> [i64; D] {
+        std::array::from_fn(|axis| ((point[axis] - self.origin[axis]) / self.side).floor() as i64)
+    }
+
+    fn slot(&self, cell: &[i64; D]) -> usize {
+        let mut slot = 0;
+        for axis in (0..D).rev() {
+            slot = slot * self.slots[axis] + (cell[axis] as usize & (self.slots[axis] - 1));
+        }
+        slot
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn brute<const D: usize>(positions: &[Vector<D>], point: &Vector<D>, range: f64) -> Vec<usize> {
+        (0..positions.len())
+            .filter(|&j| (positions[j] - point).norm_squared() <= range * range)
+            .collect()
+    }
+
+    fn found<const D: usize>(cells: &Cells<D>, point: &Vector<D>, range: f64) -> Vec<usize> {
+        let mut found = Vec::new();
+        cells.for_each_within(point, range, |j, _, _| found.push(j));
+        found.sort_unstable();
+        found
+    }
+
+    fn check<const D: usize>(positions: &[Vector<D>], side: f64, range: f64) {
+        let mut cells = Cells::default();
+        cells.rebuild(positions, side);
+        for point in positions {
+            assert_eq!(found(&cells, point, range), brute(positions, point, range));
+        }
+        let outside = Vector::repeat(-3.7);
+        assert_eq!(
+            found(&cells, &outside, range),
+            brute(positions, &outside, range)
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn equals_brute_force_in_the_plane(
+            points in prop::collection::vec(prop::array::uniform2(-20.0..20.0f64), 1..120),
+            side in 0.3..9.0f64,
+            range in 0.0..15.0f64,
+        ) {
+            let points: Vec<Vector<2>> = points.into_iter().map(Vector::from).collect();
+            check(&points, side, range);
+        }
+
+        #[test]
+        fn equals_brute_force_in_space(
+            points in prop::collection::vec(prop::array::uniform3(-6.0..6.0f64), 1..120),
+            side in 0.3..4.0f64,
+            range in 0.0..6.0f64,
+        ) {
+            let points: Vec<Vector<3>> = points.into_iter().map(Vector::from).collect();
+            check(&points, side, range);
+        }
+    }
+
+    #[test]
+    fn outliers_neither_confuse_nor_exhaust_it() {
+        let mut points: Vec<Vector<2>> = (0..50)
+            .map(|k| Vector::<2>::new(f64::from(k) * 0.5, 0.0))
+            .collect();
+        points.push(Vector::<2>::new(1e300, -1e300));
+        points.push(Vector::<2>::new(-1e12, 1e12));
+        check(&points, 1.0, 1.0);
+    }
+}

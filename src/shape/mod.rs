@@ -1,0 +1,143 @@
+//! Obstacle shapes: closest points, their exact derivatives, and bounds.
+//!
+//! A shape is a core (a point, a segment, a convex polytope or a half-space)
+//! rounded by a radius. The closest point comes from a parry query on the core;
+//! what the query does not tell, the feature it landed on and with it the
+//! derivative of the closest-point map, is added here, once for both dimensions.
+
+mod obstacle;
+mod pose;
+
+pub use obstacle::{Obstacle, Projection};
+pub use pose::Pose;
+
+use std::fmt::Debug;
+
+use crate::math::Vector;
+
+/// A convex solid of `D` dimensions, in its own frame.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape<const D: usize> {
+    /// All points within `radius` of the origin.
+    Ball {
+        /// Radius, above 0.
+        radius: f64,
+    },
+    /// An axis-aligned box about the origin.
+    Cuboid {
+        /// Half the sides, above 0.
+        half_extents: Vector<D>,
+    },
+    /// All points within `radius` of a segment.
+    Capsule {
+        /// One end of the segment.
+        from: Vector<D>,
+        /// The other end.
+        to: Vector<D>,
+        /// Radius, above 0.
+        radius: f64,
+    },
+    /// All points behind the plane through the origin.
+    HalfSpace {
+        /// Unit normal, pointing out of the solid.
+        normal: Vector<D>,
+    },
+    /// The convex hull of some points that span the space.
+    Convex {
+        /// The points.
+        points: Vec<Vector<D>>,
+    },
+}
+
+/// A flat face of a polytope: the solid lies where normal · x ≤ offset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face<const D: usize> {
+    /// Unit normal, pointing out.
+    pub normal: Vector<D>,
+    /// Distance of the face from the origin along the normal.
+    pub offset: f64,
+}
+
+/// What the shape code asks of parry, in the shape's own frame.
+pub trait Query<const D: usize>: Debug + Send + Sync {
+    /// The point of the solid core nearest to `point`; `point` itself inside.
+    fn closest(&self, point: &Vector<D>) -> Vector<D>;
+    /// The flat faces of the core; none for a point or a segment.
+    fn faces(&self) -> Vec<Face<D>>;
+    /// The centroid; the origin for a half-space.
+    fn centroid(&self) -> Vector<D>;
+    /// Lowest and highest corner of the bounding box of the posed shape.
+    fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>);
+}
+
+/// Access to parry's types of one dimension; implemented by [`In<2>`] and [`In<3>`].
+pub trait Geometry<const D: usize> {
+    /// Prepares a shape for queries; `None` where parry finds no solid in it.
+    fn query(shape: &Shape<D>) -> Option<Box<dyn Query<D>>>;
+}
+
+/// The dimension `D` as a type, to hang per-dimension code on.
+#[derive(Debug)]
+pub struct In<const D: usize>;
+
+/// The adapter to parry, compiled for the plane.
+#[path = "."]
+pub(crate) mod plane {
+    use parry2d as parry;
+    const D: usize = 2;
+    #[path = "parry.rs"]
+    mod adapter;
+    pub(crate) use adapter::{pose, solid};
+
+    fn turn(turn: [f64; 3]) -> f64 {
+        turn[2]
+    }
+
+    /// The edges of a polygon.
+    fn hull_faces(shape: &parry::shape::SharedShape) -> Vec<super::Face<D>> {
+        let Some(polygon) = shape.as_convex_polygon() else {
+            return Vec::new();
+        };
+        polygon
+            .normals()
+            .iter()
+            .zip(polygon.points())
+            .map(|(normal, point)| super::Face {
+                normal: normal.to_array().into(),
+                offset: normal.dot(*point),
+            })
+            .collect()
+    }
+}
+
+/// The adapter to parry, compiled for space.
+#[path = "."]
+pub(crate) mod space {
+    use parry3d as parry;
+    const D: usize = 3;
+    #[path = "parry.rs"]
+    mod adapter;
+    pub(crate) use adapter::{pose, solid};
+
+    fn turn(turn: [f64; 3]) -> parry::math::Vector {
+        turn.into()
+    }
+
+    /// The faces of a polyhedron.
+    fn hull_faces(shape: &parry::shape::SharedShape) -> Vec<super::Face<D>> {
+        let Some(polyhedron) = shape.as_convex_polyhedron() else {
+            return Vec::new();
+        };
+        polyhedron
+            .faces()
+            .iter()
+            .map(|face| {
+                let vertex = polyhedron.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
+                super::Face {
+                    normal: face.normal.to_array().into(),
+                    offset: face.normal.dot(polyhedron.points()[vertex as usize]),
+                }
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,24 @@
+//! Summary files.
+
+use std::path::Path;
+
+use super::record::Summary;
+use super::{TraceError, file, finite};
+
+/// Writes a summary to a file of its own, as one JSON object. The file appears
+/// whole or not at all; an existing one is refused without `overwrite`.
+pub fn write_summary(path: &Path, summary: &Summary, overwrite: bool) -> Result<(), TraceError> {
+    let name = || path.display().to_string();
+    finite::check(summary).map_err(|flaw| TraceError::NotFinite {
+        name: name(),
+        record: "the summary".to_owned(),
+        problem: flaw.to_string(),
+    })?;
+    let mut text = serde_json::to_vec_pretty(summary).map_err(|e| TraceError::Io {
+        action: "write",
+        name: name(),
+        source: e.into(),
+    })?;
+    text.push(b'\n');
+    file::write_whole(path, &text, overwrite)
+}

@@ -1,0 +1,257 @@
+//! A world, ready to run: agents placed, obstacles built.
+
+use crate::math::Vector;
+use crate::shape::{Geometry, In, Obstacle, Pose, Shape};
+use crate::world::placement::Placement;
+use crate::world::problem::Problem;
+use crate::world::random::{Purpose, Random};
+use crate::world::spec::{
+    AlphaInteractionSpec, GroupSpec, LawSpec, ObstacleSpec, PerAgent, PlacementSpec, Rotation,
+    ShapeSpec, VelocitySpec, WorldSpec,
+};
+use crate::world::{vector, vector_or_zero};
+
+/// A world of either dimension.
+#[derive(Debug)]
+pub enum AnyWorld {
+    /// A world in the plane.
+    Plane(World<2>),
+    /// A world in space.
+    Space(World<3>),
+}
+
+/// A world of `D` dimensions: its file with every default filled in, and what follows
+/// from it.
+#[derive(Debug)]
+pub struct World<const D: usize> {
+    /// Name, for traces and reports.
+    pub name: String,
+    /// The file.
+    pub spec: WorldSpec,
+    /// The agents at the start.
+    pub agents: Agents<D>,
+    /// The obstacles.
+    pub obstacles: Vec<Obstacle<D>>,
+    /// Acceleration of gravity.
+    pub gravity: Vector<D>,
+}
+
+/// The agents at the start; each list has one entry for each agent.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Agents<const D: usize> {
+    /// Index of the group.
+    pub group: Vec<usize>,
+    /// Radius.
+    pub radius: Vec<f64>,
+    /// Mass.
+    pub mass: Vec<f64>,
+    /// Largest force that the laws can exert, infinite without limit.
+    pub force_limit: Vec<f64>,
+    /// Position.
+    pub positions: Vec<Vector<D>>,
+    /// Velocity.
+    pub velocities: Vec<Vector<D>>,
+}
+
+impl<const D: usize> Agents<D> {
+    /// Number of agents.
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+}
+
+impl AnyWorld {
+    /// Resolves a checked file; the problems are those that only placing the agents
+    /// and building the obstacles can find.
+    pub fn new(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        Ok(match spec.dimension {
+            2 => Self::Plane(World::new(name.into(), spec)?),
+            3 => Self::Space(World::new(name.into(), spec)?),
+            other => {
+                return Err(vec![
+                    Problem::new("dimension", format!("is {other}")).allowed("2 or 3"),
+                ]);
+            }
+        })
+    }
+}
+
+impl<const D: usize> World<D>
+where
+    In<D>: Geometry<D>,
+{
+    /// Resolves a checked file of dimension `D`; see [`AnyWorld::new`].
+    pub fn new(name: String, mut spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        let obstacles = obstacles(&spec.obstacles)?;
+        for group in &mut spec.agents {
+            group.count = Some(count(group));
+        }
+        let mut placement = Placement::new(&spec.agents, &obstacles);
+        let mut agents = Agents::default();
+        let mut problems = Vec::new();
+        for (index, group) in spec.agents.iter().enumerate() {
+            let count = count(group);
+            match placement.place(index, group, count, spec.seed) {
+                Ok(positions) => agents.positions.extend(positions),
+                Err(problem) => problems.push(problem),
+            }
+            agents
+                .velocities
+                .extend(velocities::<D>(index, group, count, spec.seed));
+            agents.group.extend(vec![index; count]);
+            agents.radius.extend(vec![group.radius; count]);
+            agents
+                .force_limit
+                .extend(vec![group.force_limit.unwrap_or(f64::INFINITY); count]);
+            match &group.mass {
+                PerAgent::All(mass) => agents.mass.extend(vec![*mass; count]),
+                PerAgent::Each(masses) => agents.mass.extend(masses),
+            }
+        }
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        let gravity: Vector<D> = vector_or_zero(&spec.physics.gravity);
+        spec.physics.gravity = Some(gravity.iter().copied().collect());
+        Ok(Self {
+            name,
+            agents,
+            obstacles,
+            gravity,
+            spec,
+        })
+    }
+}
+
+impl<const D: usize> World<D> {
+    /// The velocity p_d of the first navigation law that has one other than rest.
+    pub fn target_velocity(&self) -> Option<Vector<D>> {
+        self.spec.laws.iter().find_map(|law| match law {
+            LawSpec::Navigation(navigation) => {
+                let velocity: Vector<D> = vector(navigation.velocity.as_ref()?);
+                (velocity != Vector::<D>::zeros()).then_some(velocity)
+            }
+            _ => None,
+        })
+    }
+
+    /// The velocity that the first navigation law steers to, rest included.
+    pub fn navigation_velocity(&self) -> Option<Vector<D>> {
+        self.spec.laws.iter().find_map(|law| match law {
+            LawSpec::Navigation(navigation) => Some(vector_or_zero(&navigation.velocity)),
+            _ => None,
+        })
+    }
+
+    /// The first (α, α) interaction, whose range defines the proximity net.
+    pub fn alpha_interaction(&self) -> Option<&AlphaInteractionSpec> {
+        self.spec.laws.iter().find_map(|law| match law {
+            LawSpec::AlphaInteraction(alpha) => Some(alpha),
+            _ => None,
+        })
+    }
+
+    /// The activation range of the first obstacle law, within which β-agents exist.
+    pub fn beta_range(&self) -> Option<f64> {
+        self.spec.laws.iter().find_map(|law| match law {
+            LawSpec::ObstacleAvoidance(avoidance) => Some(avoidance.range),
+            _ => None,
+        })
+    }
+
+    /// Number of steps to the end.
+    pub fn steps(&self) -> u64 {
+        (self.spec.time.end / self.spec.time.step).round() as u64
+    }
+
+    /// Number of steps between frames.
+    pub fn frame_steps(&self) -> u64 {
+        ((self.spec.record.every / self.spec.time.step).round() as u64).max(1)
+    }
+}
+
+/// Number of agents of a checked group.
+fn count(group: &GroupSpec) -> usize {
+    match &group.positions {
+        PlacementSpec::Explicit(positions) => positions.len(),
+        _ => group.count.unwrap_or(0),
+    }
+}
+
+fn velocities<const D: usize>(
+    index: usize,
+    group: &GroupSpec,
+    count: usize,
+    seed: u64,
+) -> Vec<Vector<D>> {
+    match &group.velocities {
+        VelocitySpec::Rest => vec![Vector::zeros(); count],
+        VelocitySpec::Common(velocity) => vec![vector(velocity); count],
+        VelocitySpec::Explicit(velocities) => velocities.iter().map(|v| vector(v)).collect(),
+        VelocitySpec::Uniform(region) => {
+            let (min, max) = (vector(&region.min), vector(&region.max));
+            let mut random = Random::new(seed, Purpose::Velocities(index));
+            (0..count).map(|_| random.in_box(&min, &max)).collect()
+        }
+    }
+}
+
+fn obstacles<const D: usize>(specs: &[ObstacleSpec]) -> Result<Vec<Obstacle<D>>, Vec<Problem>>
+where
+    In<D>: Geometry<D>,
+{
+    let mut obstacles = Vec::new();
+    let mut problems = Vec::new();
+    for (index, spec) in specs.iter().enumerate() {
+        let name = spec
+            .name
+            .clone()
+            .unwrap_or_else(|| format!("obstacle {index}"));
+        match Obstacle::new(name, shape(&spec.shape), pose(spec)) {
+            Some(obstacle) => obstacles.push(obstacle),
+            None => problems.push(Problem::new(
+                format!("obstacles[{index}].shape"),
+                "has no interior: no solid can be made of it",
+            )),
+        }
+    }
+    if problems.is_empty() {
+        Ok(obstacles)
+    } else {
+        Err(problems)
+    }
+}
+
+fn shape<const D: usize>(spec: &ShapeSpec) -> Shape<D> {
+    match spec {
+        ShapeSpec::Ball { radius } => Shape::Ball { radius: *radius },
+        ShapeSpec::Cuboid { half_extents } => Shape::Cuboid {
+            half_extents: vector(half_extents),
+        },
+        ShapeSpec::Capsule { from, to, radius } => Shape::Capsule {
+            from: vector(from),
+            to: vector(to),
+            radius: *radius,
+        },
+        ShapeSpec::HalfSpace { normal } => Shape::HalfSpace {
+            normal: crate::math::direction(&vector(normal)),
+        },
+        ShapeSpec::Convex { points } => Shape::Convex {
+            points: points.iter().map(|point| vector(point)).collect(),
+        },
+    }
+}
+
+fn pose<const D: usize>(spec: &ObstacleSpec) -> Pose<D> {
+    let turn = match &spec.rotation {
+        None => [0.0; 3],
+        Some(Rotation::Angle(angle)) => [0.0, 0.0, *angle],
+        Some(Rotation::Vector(turn)) => vector::<3>(turn).into(),
+    };
+    Pose::new(vector_or_zero(&spec.position), turn)
+}

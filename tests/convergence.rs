@@ -1,0 +1,123 @@
+//! Bodies follow the equations of motion to second order in the step, while nothing touches.
+
+mod common;
+
+use common::{Flow, flock_world, order, world};
+use volary::dynamics::Engine;
+use volary::law::{Flock, build};
+use volary::math::Vector;
+use volary::shape::In;
+use volary::simulation::Simulation;
+use volary::world::World;
+use volary::world::spec::WorldSpec;
+
+/// The equations of motion integrated by the classical Runge–Kutta method: another
+/// integrator than the engine, with the same laws.
+fn reference<const D: usize>(world: &World<D>, steps: usize) -> Flow<D> {
+    let mut flock = Flock::new(build(world));
+    let h = world.spec.time.end / steps as f64;
+    let mut state = (
+        world.agents.positions.clone(),
+        world.agents.velocities.clone(),
+    );
+    let mut slope = |time: f64, state: &Flow<D>| -> Flow<D> {
+        let mut acceleration = vec![Vector::zeros(); state.0.len()];
+        flock.accelerations(
+            time,
+            &state.0,
+            &state.1,
+            &world.obstacles,
+            &mut acceleration,
+        );
+        for value in &mut acceleration {
+            *value += world.gravity;
+        }
+        (state.1.clone(), acceleration)
+    };
+    let moved = |state: &Flow<D>, slope: &Flow<D>, h: f64| -> Flow<D> {
+        let add = |a: &[Vector<D>], b: &[Vector<D>]| {
+            a.iter().zip(b).map(|(a, b)| a + b * h).collect::<Vec<_>>()
+        };
+        (add(&state.0, &slope.0), add(&state.1, &slope.1))
+    };
+    for step in 0..steps {
+        let time = step as f64 * h;
+        let k1 = slope(time, &state);
+        let k2 = slope(time + h / 2.0, &moved(&state, &k1, h / 2.0));
+        let k3 = slope(time + h / 2.0, &moved(&state, &k2, h / 2.0));
+        let k4 = slope(time + h, &moved(&state, &k3, h));
+        for (k, weight) in [(k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)] {
+            state = moved(&state, &k, h * weight / 6.0);
+        }
+    }
+    state
+}
+
+fn error<const D: usize>(a: &[Vector<D>], b: &[Vector<D>]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).norm())
+        .fold(0.0, f64::max)
+}
+
+fn errors<const D: usize>(spec: &WorldSpec, steps: &[f64], exact: &Flow<D>) -> Vec<(f64, f64)>
+where
+    In<D>: Engine<D>,
+{
+    let run = |step: &f64| {
+        let mut spec = spec.clone();
+        spec.time.step = *step;
+        let mut simulation = Simulation::<D>::new(world(spec)).expect("a finite start");
+        for _ in 0..simulation.world().steps() {
+            simulation.step().expect("a finite state");
+        }
+        assert_eq!(
+            simulation.ledger().agent_contacts().episodes,
+            0,
+            "nothing may touch"
+        );
+        let state = simulation.snapshot();
+        (
+            error(state.positions, &exact.0),
+            error(state.velocities, &exact.1),
+        )
+    };
+    steps.iter().map(run).collect()
+}
+
+fn converges<const D: usize>(substeps: usize)
+where
+    In<D>: Engine<D>,
+{
+    let mut spec = flock_world(D);
+    spec.physics.solver_iterations = substeps;
+    spec.physics.gravity = Some((0..D).map(|k| 0.1 * k as f64).collect());
+    let exact = reference(&world::<D>(spec.clone()), 4000);
+    let steps = [0.04, 0.02, 0.01, 0.005];
+    let errors = errors(&spec, &steps, &exact);
+    let positions: Vec<f64> = errors.iter().map(|error| error.0).collect();
+    let velocities: Vec<f64> = errors.iter().map(|error| error.1).collect();
+    for (name, errors) in [("position", positions), ("velocity", velocities)] {
+        let order = order(&steps, &errors);
+        assert!(
+            (1.8..2.4).contains(&order),
+            "{D}-D, {substeps} substeps: {name} errors {errors:?} fall with order {order:.2}"
+        );
+    }
+}
+
+#[test]
+fn second_order_in_the_plane() {
+    converges::<2>(1);
+}
+
+#[test]
+fn second_order_in_space() {
+    converges::<3>(1);
+}
+
+#[test]
+fn second_order_with_substeps() {
+    converges::<2>(4);
+    converges::<3>(3);
+}

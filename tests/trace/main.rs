@@ -1,0 +1,8 @@
+//! Traces: what is written is read, whole or cut, and nothing else is.
+
+mod cut;
+mod files;
+mod foreign;
+mod non_finite;
+mod round_trip;
+mod sample;

@@ -1,0 +1,167 @@
+//! A small trace, and short ways to write and read it.
+
+use std::io::{Cursor, Write};
+use std::path::Path;
+
+use serde_json::json;
+use volary::trace::record::*;
+use volary::trace::{Format, TraceError, TraceReader, TraceWriter};
+
+pub const NAMES: [&str; 6] = [
+    "t.jsonl",
+    "t.json",
+    "t.jsonl.gz",
+    "t.json.gz",
+    "t.ndjson.zst",
+    "t.json.zst",
+];
+
+pub fn format(name: &str) -> Format {
+    Format::of(Path::new(name)).unwrap()
+}
+
+/// A header whose strings try to look like the end of a record.
+pub fn header() -> Header {
+    let world = json!({
+        "description": "}]\n, \"quoted\\\" {[ é",
+        "dimension": 2,
+        "time": {"step": 0.01, "end": 1},
+        "agents": [{"count": 2, "radius": 0.1, "mass": [1.0, 2.5], "force_limit": 3.0,
+            "positions": {"box": {"min": [0, 0], "max": [1, 1]}}}],
+        "laws": [{"alpha_interaction": {"spacing": 1.0, "range": 1.2}}],
+    });
+    Header {
+        format: FORMAT.to_owned(),
+        version: VERSION,
+        program: "volary".to_owned(),
+        dynamics: "bodies".to_owned(),
+        name: "a \\ \"world\"".to_owned(),
+        world: serde_json::from_value(world).unwrap(),
+        bodies: Bodies {
+            group: vec![0, 0],
+            radius: vec![0.1, 0.1],
+            mass: vec![1.0, 2.5],
+            force_limit: vec![Some(3.0), None],
+        },
+    }
+}
+
+pub fn metrics() -> Metrics {
+    Metrics {
+        components: Some(1),
+        density: Some(1.0),
+        edges: Some(1),
+        structural_energy: Some(0.25),
+        polarization: 0.5,
+        velocity_mismatch: 0.125,
+        agent_gap: Some(-0.5),
+        obstacle_gap: Some(1e-300),
+        position_diameter: 2.0,
+        velocity_diameter: 3.0,
+    }
+}
+
+pub fn frame(step: u64) -> Frame {
+    Frame {
+        step,
+        time: step as f64 * 0.1,
+        positions: vec![vec![0.1, 0.2], vec![1.2345, -0.0]],
+        velocities: vec![vec![5e-324, 1.0], vec![f64::MAX, -1.5]],
+        metrics: Some(metrics()),
+        accelerations: Some(vec![LawAccelerations {
+            law: "alpha_interaction".to_owned(),
+            values: vec![vec![1.0, 2.0], vec![3.0, 4.0]],
+        }]),
+        beta_agents: Some(vec![BetaAgent {
+            agent: 1,
+            obstacle: 0,
+            position: vec![1.0, 2.0],
+            velocity: vec![3.0, 4.0],
+            distance: 0.5,
+        }]),
+        edges: Some(vec![[0, 1]]),
+    }
+}
+
+pub fn contact() -> Contact {
+    Contact {
+        agent: 0,
+        with: Partner::Obstacle,
+        other: 3,
+        begin: 0.1,
+        end: 0.2,
+        open: false,
+        steps: 10,
+        largest_impulse: 0.7,
+        deepest_penetration: 0.0,
+        approach_speed: 1.5,
+        position: vec![0.5, 0.25],
+    }
+}
+
+pub fn summary() -> Summary {
+    Summary {
+        name: "a world".to_owned(),
+        seed: u64::MAX,
+        outcome: Outcome::Completed,
+        error: None,
+        agents: 2,
+        steps: 100,
+        time: 1.0,
+        agent_contacts: ContactCount::default(),
+        obstacle_contacts: ContactCount {
+            episodes: 1,
+            pairs: 1,
+            largest_impulse: 0.7,
+            deepest_penetration: 0.1,
+            highest_approach_speed: 1.5,
+        },
+        force_cuts: 3,
+        smallest_agent_gap: Some(0.5),
+        smallest_obstacle_gap: Some(0.1),
+        last: metrics(),
+    }
+}
+
+/// A small trace, the header apart.
+pub fn records() -> Vec<Record> {
+    vec![
+        Record::Frame(frame(0)),
+        Record::Contact(contact()),
+        Record::Frame(frame(1)),
+        Record::Summary(Box::new(summary())),
+    ]
+}
+
+pub fn write_all<W: Write>(writer: &mut TraceWriter<W>, records: &[Record]) {
+    writer.write(&Record::Header(Box::new(header()))).unwrap();
+    for record in records {
+        writer.write(record).unwrap();
+    }
+}
+
+pub fn bytes_of(name: &str, records: &[Record]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut writer = TraceWriter::new(&mut bytes, format(name));
+    write_all(&mut writer, records);
+    writer.finish().unwrap();
+    bytes
+}
+
+pub fn open(bytes: &[u8]) -> Result<TraceReader, TraceError> {
+    TraceReader::new(Cursor::new(bytes.to_vec()), "the test".to_owned())
+}
+
+/// All records behind the header, and whether the trace was truncated.
+pub fn read(bytes: &[u8]) -> Result<(Vec<Record>, bool), TraceError> {
+    let mut reader = open(bytes)?;
+    let records = reader.by_ref().collect::<Result<_, _>>()?;
+    Ok((records, reader.truncated()))
+}
+
+pub fn message<T>(result: Result<T, TraceError>) -> String {
+    match result {
+        Ok(_) => panic!("no error"),
+        Err(e) => e.to_string(),
+    }
+}
