@@ -148,14 +148,16 @@ impl Report {
             .with_index_type(IndexType::Byte);
         let at = (self.name.as_str(), bytes);
         let subject = self.subject(entry);
-        let message = match subject.is_empty() {
-            true => problem.what.clone(),
-            false => format!("{subject}: {}", problem.what),
+        // Without a text of its own, the label would not be drawn.
+        let (headline, label) = match subject.is_empty() {
+            true => (problem.what.as_str(), "here"),
+            false => (subject.as_str(), problem.what.as_str()),
         };
-        let mut report = ariadne::Report::build(ReportKind::Error, at.clone())
+        let label = Label::new(at.clone()).with_message(label);
+        let mut report = ariadne::Report::build(ReportKind::Error, at)
             .with_config(config)
-            .with_message(message)
-            .with_label(Label::new(at).with_color(Color::Red));
+            .with_message(headline)
+            .with_label(label.with_color(Color::Red));
         if let Some(allowed) = extra_allowed(problem) {
             report = report.with_note(format!("allowed: {allowed}"));
         }
