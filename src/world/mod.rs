@@ -1,10 +1,25 @@
 //! Worlds: what a world file says, checked and resolved into agents and obstacles.
+//!
+//! A [`Document`](document::Document) reads the text of a file, in stages, into a
+//! [`WorldSpec`](spec::WorldSpec), or into a [`Report`](report::Report) of
+//! everything that is wrong with it. The spec is then resolved into a [`World`].
 
+pub mod check;
+mod describe;
+pub mod document;
+pub mod path;
 mod placement;
 pub mod problem;
 mod random;
+pub mod report;
 mod resolve;
+pub mod set;
+pub mod shipped;
+mod span;
 pub mod spec;
+mod syntax;
+mod validate;
+mod words;
 
 pub use problem::Problem;
 pub use resolve::{Agents, AnyWorld, World};

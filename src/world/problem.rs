@@ -11,6 +11,8 @@ pub struct Problem {
     pub allowed: Option<String>,
     /// What the writer may have meant.
     pub hint: Option<String>,
+    /// Whether the name of the field is wrong, rather than its value.
+    pub name_is_wrong: bool,
 }
 
 impl Problem {
@@ -21,6 +23,15 @@ impl Problem {
             what: what.into(),
             allowed: None,
             hint: None,
+            name_is_wrong: false,
+        }
+    }
+
+    /// A problem with the name of a field rather than its value.
+    pub fn with_name(path: impl Into<String>, what: impl Into<String>) -> Self {
+        Self {
+            name_is_wrong: true,
+            ..Self::new(path, what)
         }
     }
 

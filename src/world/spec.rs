@@ -33,6 +33,7 @@ pub struct WorldSpec {
     pub time: TimeSpec,
     /// Seed of every random draw of the world.
     #[serde(default = "one_u64")]
+    #[schemars(range(max = u64::MAX))]
     pub seed: u64,
     /// Settings of the physics engine.
     #[serde(default)]

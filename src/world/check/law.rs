@@ -1,0 +1,71 @@
+//! Checks of laws.
+
+use super::{Check, is_nonzero, moves};
+use crate::world::problem::Problem;
+use crate::world::spec::{ActionSpec, GammaSpec, LawSpec, NavigationSpec};
+use crate::world::words::number;
+
+impl Check {
+    /// Checks a law; those that it stands among may give what it leaves out.
+    pub(super) fn law(&mut self, path: &str, law: &LawSpec, laws: &[LawSpec]) {
+        match law {
+            LawSpec::AlphaInteraction(law) => {
+                let path = format!("{path}.alpha_interaction");
+                if law.spacing >= law.range {
+                    let what = format!("must be less than {}, the range", number(law.range));
+                    self.add(format!("{path}.spacing"), what);
+                }
+                self.action(&path, &law.action);
+            }
+            LawSpec::ObstacleAvoidance(law) => {
+                let path = format!("{path}.obstacle_avoidance");
+                if law.standoff > law.range {
+                    let what = format!("must be at most {}, the range", number(law.range));
+                    self.add(format!("{path}.standoff"), what);
+                }
+                self.action(&path, &law.action);
+                if let Some(gamma) = &law.gamma {
+                    self.gamma(&format!("{path}.gamma"), gamma, laws);
+                }
+            }
+            LawSpec::Navigation(law) => self.navigation(&format!("{path}.navigation"), law),
+        }
+    }
+
+    fn action(&mut self, law: &str, action: &ActionSpec) {
+        if action.repulsion < action.attraction {
+            let least = number(action.attraction);
+            let what = format!("must be at least {least}, the attraction");
+            self.add(format!("{law}.action.repulsion"), what);
+        }
+    }
+
+    fn gamma(&mut self, path: &str, gamma: &GammaSpec, laws: &[LawSpec]) {
+        if let Some(direction) = &gamma.direction {
+            self.direction(&format!("{path}.direction"), direction);
+            return;
+        }
+        let follows = |law: &LawSpec| matches!(law, LawSpec::Navigation(law) if moves(law));
+        if !laws.iter().any(follows) {
+            let what = "missing field `direction`, as no navigation law has a velocity to follow";
+            self.add(path, what);
+        }
+    }
+
+    fn navigation(&mut self, path: &str, law: &NavigationSpec) {
+        if law.destination.is_none() && law.velocity.is_none() {
+            self.add(path, "must have a `destination` or a `velocity`");
+        }
+        if let Some(destination) = &law.destination {
+            self.vector(&format!("{path}.destination"), destination);
+        }
+        if let Some(velocity) = &law.velocity {
+            let at = format!("{path}.velocity");
+            if self.vector(&at, velocity) && law.destination.is_some() && is_nonzero(velocity) {
+                let what = "contradicts the destination, at which agents come to rest";
+                self.problems
+                    .push(Problem::new(at, what).hint("keep one of the two"));
+            }
+        }
+    }
+}

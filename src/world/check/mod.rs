@@ -1,0 +1,308 @@
+//! What only the fields of a world together can tell: lengths of vectors and
+//! lists, order of limits, contradictions. What one field alone can tell, the
+//! schema checks.
+
+mod law;
+mod obstacle;
+mod overlap;
+
+use super::problem::Problem;
+use super::spec::*;
+use super::validate;
+use super::words::number;
+
+/// The most agents that a world may have.
+pub const MOST_AGENTS: usize = 10_000_000;
+
+/// The most steps that a run may take.
+pub const MOST_STEPS: u64 = 10_000_000_000;
+
+/// Everything wrong with a world, wherever it comes from; of a
+/// [`Document`](super::document::Document) that has been read, nothing is.
+pub fn problems(world: &WorldSpec) -> Vec<Problem> {
+    let problems = match serde_json::to_value(world) {
+        // What is not finite turns into null here, and so is found.
+        Ok(value) => validate::problems(&value),
+        Err(error) => vec![Problem::new("", error.to_string())],
+    };
+    match problems.is_empty() {
+        true => joint_problems(world),
+        false => problems,
+    }
+}
+
+/// Everything wrong with a world that agrees with the schema.
+pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
+    let mut check = Check {
+        dimension: world.dimension,
+        problems: Vec::new(),
+    };
+    check.time(&world.time, &world.record);
+    if let Some(gravity) = &world.physics.gravity {
+        check.vector("physics.gravity", gravity);
+    }
+    for (index, group) in world.agents.iter().enumerate() {
+        check.group(&format!("agents[{index}]"), group);
+    }
+    check.number_of_agents(&world.agents);
+    for (index, obstacle) in world.obstacles.iter().enumerate() {
+        check.obstacle(&format!("obstacles[{index}]"), obstacle);
+    }
+    for (index, law) in world.laws.iter().enumerate() {
+        check.law(&format!("laws[{index}]"), law, &world.laws);
+    }
+    check.problems.extend(overlap::problems(world));
+    check.problems
+}
+
+/// How many whole steps make up a time; nothing where it is between two.
+pub fn whole_steps(time: f64, step: f64) -> Option<u64> {
+    let steps = time / step;
+    let nearest = steps.round();
+    // The quotient of two decimal fractions is off by rounding, relative to itself;
+    // but a thousandth of a step is never rounding.
+    let slack = (1e-9 * nearest).clamp(1e-9, 1e-3);
+    let whole = nearest <= u64::MAX as f64 && (steps - nearest).abs() <= slack;
+    whole.then_some(nearest as u64)
+}
+
+/// The number of agents of a group: as given, or as many as it lists positions.
+pub fn size(group: &GroupSpec) -> Option<usize> {
+    match &group.positions {
+        PlacementSpec::Explicit(positions) => Some(positions.len()),
+        PlacementSpec::Box(_) | PlacementSpec::Ball(_) => group.count,
+    }
+}
+
+/// Whether a navigation law names a velocity other than rest.
+pub fn moves(navigation: &NavigationSpec) -> bool {
+    navigation.velocity.as_deref().is_some_and(is_nonzero)
+}
+
+struct Check {
+    dimension: usize,
+    problems: Vec<Problem>,
+}
+
+impl Check {
+    fn add(&mut self, path: impl Into<String>, what: impl Into<String>) {
+        self.problems.push(Problem::new(path, what));
+    }
+
+    /// A vector must have as many numbers as the world has dimensions. Returns
+    /// whether it does.
+    fn vector(&mut self, path: &str, vector: &[f64]) -> bool {
+        let fits = vector.len() == self.dimension;
+        if !fits {
+            let what = format!("must have {} numbers, not {}", self.dimension, vector.len());
+            self.add(path, what);
+        } else if !vector.iter().all(|x| x.is_finite()) {
+            self.add(path, "must hold finite numbers");
+        }
+        fits
+    }
+
+    fn vectors(&mut self, path: &str, vectors: &[Vec<f64>]) {
+        for (index, vector) in vectors.iter().enumerate() {
+            self.vector(&format!("{path}[{index}]"), vector);
+        }
+    }
+
+    /// A vector that gives a direction must have one.
+    fn direction(&mut self, path: &str, vector: &[f64]) {
+        if self.vector(path, vector) && !is_nonzero(vector) {
+            self.add(path, "must not be all zeros, since it gives a direction");
+        }
+    }
+
+    /// The corners of a box; they may share coordinates only where `flat`.
+    fn corners(&mut self, path: &str, min: &[f64], max: &[f64], flat: bool) {
+        let fits = self.vector(&format!("{path}.min"), min);
+        if !self.vector(&format!("{path}.max"), max) || !fits {
+            return;
+        }
+        for (axis, (low, high)) in min.iter().zip(max).enumerate() {
+            if low > high || (low == high && !flat) {
+                let bound = if flat { "at most" } else { "less than" };
+                let what = format!(
+                    "must be {bound} {}, its counterpart in `max`",
+                    number(*high)
+                );
+                self.add(format!("{path}.min[{axis}]"), what);
+            }
+        }
+    }
+
+    fn time(&mut self, time: &TimeSpec, record: &RecordSpec) {
+        let step = time.step;
+        let most = MOST_STEPS as f64;
+        if time.end / step > most {
+            let what = format!("makes {} steps", number(time.end / step));
+            let problem = Problem::new("time.end", what);
+            self.problems
+                .push(problem.allowed(format!("at most {}", number(most))));
+        } else {
+            self.on_a_step("time.end", time.end, step, 0);
+        }
+        self.on_a_step("record.every", record.every, step, 1);
+    }
+
+    /// A time must be a whole number of steps, and at least some number of them.
+    fn on_a_step(&mut self, path: &str, time: f64, step: f64, least: u64) {
+        if whole_steps(time, step).is_none_or(|steps| steps < least) {
+            let what = format!("must be a whole number of steps of {}", number(step));
+            self.problems.push(Problem {
+                hint: nearest_times(time, step),
+                ..Problem::new(path, what)
+            });
+        }
+    }
+
+    /// What may be absent must still be finite; the schema cannot tell, since
+    /// JSON writes both as null.
+    fn finite(&mut self, path: &str, x: Option<f64>) {
+        if x.is_some_and(|x| !x.is_finite()) {
+            self.add(path, "must be finite");
+        }
+    }
+
+    fn group(&mut self, path: &str, group: &GroupSpec) {
+        self.finite(&format!("{path}.force_limit"), group.force_limit);
+        let positions = format!("{path}.positions");
+        match &group.positions {
+            PlacementSpec::Explicit(listed) => self.listed(path, listed, group.count),
+            PlacementSpec::Box(place) => {
+                self.finite(&format!("{positions}.box.separation"), place.separation);
+                self.corners(&format!("{positions}.box"), &place.min, &place.max, false);
+            }
+            PlacementSpec::Ball(place) => {
+                self.finite(&format!("{positions}.ball.separation"), place.separation);
+                self.vector(&format!("{positions}.ball.center"), &place.center);
+            }
+        }
+        let Some(count) = size(group) else {
+            self.add(path, "missing field `count`, which random positions need");
+            return;
+        };
+        if let PerAgent::Each(masses) = &group.mass
+            && masses.len() != count
+        {
+            let what = format!(
+                "must list {count} masses, one for each agent, not {}",
+                masses.len()
+            );
+            self.add(format!("{path}.mass"), what);
+        }
+        let path = format!("{path}.velocities");
+        match &group.velocities {
+            VelocitySpec::Rest => {}
+            VelocitySpec::Common(velocity) => {
+                self.vector(&format!("{path}.common"), velocity);
+            }
+            VelocitySpec::Uniform(place) => {
+                self.corners(&format!("{path}.uniform"), &place.min, &place.max, true);
+            }
+            VelocitySpec::Explicit(listed) => {
+                let path = format!("{path}.explicit");
+                self.vectors(&path, listed);
+                if listed.len() != count {
+                    let found = listed.len();
+                    let what =
+                        format!("must list {count} velocities, one for each agent, not {found}");
+                    self.add(path, what);
+                }
+            }
+        }
+    }
+
+    fn listed(&mut self, group: &str, positions: &[Vec<f64>], count: Option<usize>) {
+        let path = format!("{group}.positions.explicit");
+        if positions.is_empty() {
+            self.add(path, "must list at least one position");
+            return;
+        }
+        self.vectors(&path, positions);
+        if count.is_some_and(|count| count != positions.len()) {
+            let what = format!(
+                "must be {}, the number of positions listed",
+                positions.len()
+            );
+            let problem = Problem::new(format!("{group}.count"), what);
+            self.problems.push(problem.hint("it may be left out"));
+        }
+    }
+
+    fn number_of_agents(&mut self, groups: &[GroupSpec]) {
+        let total = groups
+            .iter()
+            .filter_map(size)
+            .fold(0, usize::saturating_add);
+        if total > MOST_AGENTS {
+            let problem = Problem::new("agents", format!("adds up to {total} agents"));
+            self.problems
+                .push(problem.allowed(format!("at most {MOST_AGENTS}")));
+        }
+    }
+}
+
+fn is_nonzero(vector: &[f64]) -> bool {
+    vector.iter().any(|&x| x != 0.0)
+}
+
+/// The times on either side that are whole numbers of steps.
+fn nearest_times(time: f64, step: f64) -> Option<String> {
+    let steps = (time / step).floor();
+    let (below, above) = (number(steps * step), number((steps + 1.0) * step));
+    match steps >= 1.0 {
+        // Steps far below rounding leave nothing to choose.
+        _ if below == above => None,
+        true => Some(format!("{below} or {above} would fit")),
+        false => Some(format!("{above} would fit")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_steps_forgives_rounding_only() {
+        assert_eq!(whole_steps(0.3, 0.1), Some(3));
+        assert_eq!(whole_steps(60.0, 0.01), Some(6000));
+        assert_eq!(whole_steps(0.0, 0.01), Some(0));
+        assert_eq!(whole_steps(60.004, 0.01), None);
+        assert_eq!(whole_steps(1e6 * 0.001, 0.001), Some(1_000_000));
+        // A long run is no excuse for half a step.
+        assert_eq!(whole_steps(1e7 + 0.005, 0.01), None);
+        assert_eq!(whole_steps(1e300, 1e-10), None);
+    }
+
+    #[test]
+    fn worlds_made_in_code_are_checked_as_well() {
+        let text = crate::world::shipped::get("olfati-saber-2003/six-obstacles").unwrap();
+        let right: WorldSpec = serde_json::from_str(text).unwrap();
+        assert_eq!(problems(&right), []);
+        let bad = |change: fn(&mut WorldSpec)| {
+            let mut world = right.clone();
+            change(&mut world);
+            problems(&world)
+                .into_iter()
+                .map(|one| one.path)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(bad(|world| world.time.step = 0.0), ["time.step"]);
+        assert_eq!(
+            bad(|world| world.physics.friction = f64::NAN),
+            ["physics.friction"]
+        );
+        assert_eq!(
+            bad(|world| world.agents[0].force_limit = Some(f64::INFINITY)),
+            ["agents[0].force_limit"]
+        );
+        assert_eq!(
+            bad(|world| world.physics.gravity = Some(vec![0.0])),
+            ["physics.gravity"]
+        );
+        assert_eq!(bad(|world| world.record.every = 0.015), ["record.every"]);
+    }
+}

@@ -1,0 +1,83 @@
+//! Words of the messages: names that were meant, numbers, lists, long values.
+
+/// The name that is nearest to a misspelt one, if any is near enough: at most a
+/// third of its letters may differ, and at least one may.
+pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    names
+        .into_iter()
+        .map(|name| {
+            let wrong = strsim::damerau_levenshtein(&word, &name.to_lowercase());
+            (wrong, name.chars().count(), name)
+        })
+        .filter(|&(wrong, length, _)| wrong <= (length / 3).max(1) && wrong < length)
+        .min_by_key(|&(wrong, ..)| wrong)
+        .map(|(.., name)| name)
+}
+
+/// The hint that names what was meant, if anything is near enough.
+pub fn did_you_mean<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    nearest(word, names).map(|name| format!("did you mean `{name}`?"))
+}
+
+/// A number as a person would write it: rounded to twelve digits, with an exponent
+/// only where it is very large or small.
+pub fn number(x: f64) -> String {
+    let x = format!("{x:.11e}").parse().unwrap_or(x);
+    if x == 0.0 || (1e-5..1e12).contains(&x.abs()) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
+}
+
+/// "a", "a or b", "a, b or c".
+pub fn any_of<S: AsRef<str>>(words: &[S]) -> String {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match words.as_slice() {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    }
+}
+
+/// A value on one line, cut where it is longer than about forty characters.
+pub fn shorten(value: &str) -> String {
+    const LONGEST: usize = 40;
+    let line = value.split_whitespace().collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearest_needs_some_likeness() {
+        let names = ["range", "spacing", "damping"];
+        assert_eq!(nearest("rnage", names), Some("range"));
+        assert_eq!(nearest("Spacing", names), Some("spacing"));
+        assert_eq!(nearest("damping_", names), Some("damping"));
+        assert_eq!(nearest("velocity", names), None);
+        assert_eq!(nearest("b", ["a"]), None);
+    }
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(number(60.0), "60");
+        assert_eq!(number(0.1 + 0.2), "0.3");
+        assert_eq!(number(-1e300), "-1e300");
+        assert_eq!(number(1e-9), "1e-9");
+        assert_eq!(number(10_000_000.0), "10000000");
+    }
+
+    #[test]
+    fn long_values_are_cut_between_characters() {
+        assert_eq!(shorten("[1,\n  2]"), "[1, 2]");
+        assert_eq!(shorten(&"ä".repeat(40)), "ä".repeat(40));
+        assert_eq!(shorten(&"ä".repeat(41)), format!("{}…", "ä".repeat(40)));
+    }
+}
