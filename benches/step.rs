@@ -53,7 +53,7 @@ where
         ]
     });
     let spec = serde_json::from_value(spec).expect("the world is well formed");
-    World::new("benchmark".into(), spec).expect("the world is sound")
+    World::new("benchmark", spec).expect("the world is sound")
 }
 
 fn seconds(work: impl FnOnce()) -> f64 {

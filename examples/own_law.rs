@@ -38,8 +38,7 @@ const WORLD: &str = r#"{
 }"#;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let spec = Document::new("whirl", WORLD, Vec::new()).spec()?;
-    let AnyWorld::Plane(world) = AnyWorld::new("whirl", spec).map_err(|p| format!("{p:?}"))? else {
+    let AnyWorld::Plane(world) = Document::new("whirl", WORLD).world("whirl")? else {
         return Err("the world is flat".into());
     };
     let mut simulation = Simulation::with_laws(world, vec![Box::new(Whirl { rate: 0.1 })])?;

@@ -11,12 +11,10 @@ use volary::world::{AnyWorld, Document, shipped};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let name = "olfati-saber-2003/six-obstacles";
     let text = shipped::get(name).ok_or("the world is shipped")?;
-    let mut spec = Document::new(name, text, Vec::new()).spec()?;
-    // A world is data: change what you like before it is resolved.
-    spec.seed = 7;
-    spec.time.end = 40.0;
-
-    let AnyWorld::Plane(world) = AnyWorld::new(name, spec).map_err(|p| format!("{p:?}"))? else {
+    // A world is data: any field can be set from outside the file.
+    let changes = ["seed=7".parse()?, "time.end=40".parse()?];
+    let document = Document::new(name, text).with(changes);
+    let AnyWorld::Plane(world) = document.world(name)? else {
         return Err("the world is flat".into());
     };
     let mut simulation = Simulation::new(world)?;

@@ -74,7 +74,7 @@ impl<const D: usize> Simulation<D> {
         let (steps, frame_steps) = (self.world.steps(), self.world.frame_steps());
         let mut end = Ok(Outcome::Completed);
         while self.snapshot().step < steps {
-            if self.snapshot().step % frame_steps == 0 {
+            if self.snapshot().step.is_multiple_of(frame_steps) {
                 record(Record::Frame(self.frame()))?;
             }
             match self.step() {

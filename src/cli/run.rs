@@ -52,22 +52,17 @@ pub(super) struct RunArguments {
 }
 
 impl RunArguments {
+    /// Everything that replaces a value of the file; what comes last wins.
     fn overrides(&self) -> Result<Vec<Override>, Refusal> {
-        let mut overrides = Vec::new();
         let named = [
-            ("--seed", "seed", self.seed.map(|seed| seed.to_string())),
-            ("--until", "time.end", self.until.map(|time| time.to_string())),
-            ("--step", "time.step", self.step.map(|time| time.to_string())),
+            self.seed.map(|seed| format!("seed={seed}")),
+            self.until.map(|time| format!("time.end={time}")),
+            self.step.map(|time| format!("time.step={time}")),
         ];
-        for (flag, path, value) in named {
-            if let Some(value) = value {
-                overrides.push(Override::new(flag, path, &value).map_err(Refusal::bad_input)?);
-            }
-        }
-        for setting in &self.set {
-            overrides.push(setting.parse().map_err(Refusal::bad_input)?);
-        }
-        Ok(overrides)
+        let settings = named.into_iter().flatten().chain(self.set.iter().cloned());
+        settings
+            .map(|setting| setting.parse().map_err(Refusal::bad_input))
+            .collect()
     }
 }
 
@@ -91,7 +86,8 @@ where
         && path.exists()
         && !arguments.force
     {
-        return Err(refuse_file(TraceError::exists(path)));
+        let name = path.display().to_string();
+        return Err(refuse_file(TraceError::Exists { name }));
     }
     let mut simulation = Simulation::new(world).map_err(Refusal::failed)?;
     let mut writer = match &arguments.trace {
@@ -145,7 +141,10 @@ fn judge(summary: &Summary) -> Result<(), Refusal> {
 
 /// A file that cannot be written where it was asked for is bad input.
 fn refuse_file(error: TraceError) -> Refusal {
-    Refusal::bad_input(error)
+    match error {
+        TraceError::Exists { .. } => Refusal::bad_input(format!("{error}; --force overwrites it")),
+        _ => Refusal::bad_input(error),
+    }
 }
 
 /// A flag that the first Ctrl-C raises; the second ends the program at once.

@@ -30,6 +30,6 @@ pub(super) fn schema(arguments: &SchemaArguments) -> Result<(), Refusal> {
         Format::Trace => volary::schema::trace(),
         Format::Summary => volary::schema::summary(),
     };
-    print(&volary::schema::to_text(&schema));
+    print(&volary::schema::text(&schema));
     Ok(())
 }

@@ -19,18 +19,50 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
     let number = |value: f64| format!("{value:.4}");
     let maybe = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
     let count = |value: Option<usize>| value.map_or_else(|| "-".to_owned(), |n| n.to_string());
-    row("density", maybe(last.density), "share of agents in the largest component");
+    row(
+        "density",
+        maybe(last.density),
+        "share of agents in the largest component",
+    );
     row("components", count(last.components), "of the proximity net");
     row("edges", count(last.edges), "of the proximity net");
-    row("polarization", number(last.polarization), "1: all headings agree");
-    row("velocity mismatch", number(last.velocity_mismatch), "rms, to the velocity steered to");
-    row("velocity diameter", number(last.velocity_diameter), "largest difference of two");
-    row("position diameter", number(last.position_diameter), "largest distance of two");
+    row(
+        "polarization",
+        number(last.polarization),
+        "1: all headings agree",
+    );
+    row(
+        "velocity mismatch",
+        number(last.velocity_mismatch),
+        "rms, to the velocity steered to",
+    );
+    row(
+        "velocity diameter",
+        number(last.velocity_diameter),
+        "largest difference of two",
+    );
+    row(
+        "position diameter",
+        number(last.position_diameter),
+        "largest distance of two",
+    );
     row("structural energy", maybe(last.structural_energy), "H_s");
-    row("smallest agent gap", maybe(summary.smallest_agent_gap), "between surfaces, whole run");
-    row("smallest obst. gap", maybe(summary.smallest_obstacle_gap), "between surfaces, whole run");
+    row(
+        "smallest agent gap",
+        maybe(summary.smallest_agent_gap),
+        "between surfaces, whole run",
+    );
+    row(
+        "smallest obst. gap",
+        maybe(summary.smallest_obstacle_gap),
+        "between surfaces, whole run",
+    );
     if summary.force_cuts > 0 {
-        row("force cuts", summary.force_cuts.to_string(), "agent-steps at the actuator limit");
+        row(
+            "force cuts",
+            summary.force_cuts.to_string(),
+            "agent-steps at the actuator limit",
+        );
     }
     let _ = write!(
         text,

@@ -82,6 +82,7 @@ pub trait Engine<const D: usize>: Geometry<D> {
 }
 
 #[path = "."]
+#[allow(clippy::duplicate_mod, reason = "one source for both dimensions")]
 mod plane {
     use crate::shape::plane as geometry;
     use rapier2d as rapier;
@@ -91,6 +92,7 @@ mod plane {
 }
 
 #[path = "."]
+#[allow(clippy::duplicate_mod, reason = "one source for both dimensions")]
 mod space {
     use crate::shape::space as geometry;
     use rapier3d as rapier;

@@ -16,8 +16,13 @@ const PARALLEL_FROM: usize = 2_000;
 /// The sum of some laws, with the neighbour search that they share.
 pub struct Flock<const D: usize> {
     laws: Vec<Box<dyn Law<D>>>,
+    scratch: Scratch<D>,
+}
+
+/// The state in the order of the cells, kept from step to step to save allocations.
+#[derive(Default)]
+struct Scratch<const D: usize> {
     cells: Cells<D>,
-    /// Scratch, in the order of the cells.
     velocities: Vec<Vector<D>>,
     accelerations: Vec<Vector<D>>,
 }
@@ -40,9 +45,7 @@ impl<const D: usize> Flock<D> {
     pub fn new(laws: Vec<Box<dyn Law<D>>>) -> Self {
         Self {
             laws,
-            cells: Cells::default(),
-            velocities: Vec::new(),
-            accelerations: Vec::new(),
+            scratch: Scratch::default(),
         }
     }
 
@@ -56,50 +59,38 @@ impl<const D: usize> Flock<D> {
     /// Each agent's sum is taken in a fixed order, so the result does not depend on
     /// the number of threads.
     pub fn accelerations(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
-        let laws: Vec<&dyn Law<D>> = self.laws.iter().map(AsRef::as_ref).collect();
-        sum(
-            &laws,
-            state,
-            &mut self.cells,
-            &mut self.velocities,
-            &mut self.accelerations,
-            out,
-        );
+        sum(&self.laws, state, &mut self.scratch, out);
     }
 
     /// The acceleration that each law alone gives each agent, by name of the law.
     pub fn by_law(&mut self, state: &State<'_, D>) -> Vec<(String, Vec<Vector<D>>)> {
-        let Self {
-            laws,
-            cells,
-            velocities,
-            accelerations,
-        } = self;
-        let alone = |law: &Box<dyn Law<D>>| {
+        let mut by_law = Vec::new();
+        for law in &self.laws {
             let mut out = vec![Vector::zeros(); state.positions.len()];
             sum(
-                &[law.as_ref()],
+                std::slice::from_ref(law),
                 state,
-                cells,
-                velocities,
-                accelerations,
+                &mut self.scratch,
                 &mut out,
             );
-            (law.name().to_owned(), out)
-        };
-        laws.iter().map(alone).collect()
+            by_law.push((law.name().to_owned(), out));
+        }
+        by_law
     }
 }
 
-/// Sums the laws over all agents, with scratch space for the sorted state.
+/// Sums the laws over all agents.
 fn sum<const D: usize>(
-    laws: &[&dyn Law<D>],
+    laws: &[Box<dyn Law<D>>],
     state: &State<'_, D>,
-    cells: &mut Cells<D>,
-    velocities: &mut Vec<Vector<D>>,
-    accelerations: &mut Vec<Vector<D>>,
+    scratch: &mut Scratch<D>,
     out: &mut [Vector<D>],
 ) {
+    let Scratch {
+        cells,
+        velocities,
+        accelerations,
+    } = scratch;
     let range = laws.iter().map(|law| law.range()).fold(0.0, f64::max);
     // Without neighbours to look for, one cell will do.
     cells.rebuild(state.positions, if range > 0.0 { range } else { f64::MAX });

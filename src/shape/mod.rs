@@ -82,6 +82,7 @@ pub struct In<const D: usize>;
 
 /// The adapter to parry, compiled for the plane.
 #[path = "."]
+#[allow(clippy::duplicate_mod, reason = "one source for both dimensions")]
 pub(crate) mod plane {
     use parry2d as parry;
     const D: usize = 2;
@@ -112,6 +113,7 @@ pub(crate) mod plane {
 
 /// The adapter to parry, compiled for space.
 #[path = "."]
+#[allow(clippy::duplicate_mod, reason = "one source for both dimensions")]
 pub(crate) mod space {
     use parry3d as parry;
     const D: usize = 3;

@@ -5,6 +5,7 @@ use serde_json::Value;
 use super::check;
 use super::problem::Problem;
 use super::report::Report;
+use super::resolve::AnyWorld;
 use super::set::Override;
 use super::spec::WorldSpec;
 use super::{syntax, validate};
@@ -53,6 +54,11 @@ impl Document {
             .map_err(|error| self.report(vec![Problem::new("", error.to_string())]))?;
         self.clear(check::joint_problems(&spec))?;
         Ok(spec)
+    }
+
+    /// The resolved world under a name of its own, or everything that is wrong with it.
+    pub fn world(&self, name: impl Into<String>) -> Result<AnyWorld, Report> {
+        AnyWorld::resolve(name.into(), self.spec()?).map_err(|problems| self.report(problems))
     }
 
     /// Problems, found here or later, placed in this document by their paths.

@@ -21,8 +21,11 @@ mod syntax;
 mod validate;
 mod words;
 
+pub use document::Document;
 pub use problem::Problem;
+pub use report::Report;
 pub use resolve::{Agents, AnyWorld, World};
+pub use set::Override;
 
 use crate::math::Vector;
 

@@ -2,12 +2,13 @@
 
 use crate::math::Vector;
 use crate::shape::{Geometry, In, Obstacle, Pose, Shape};
+use crate::world::check;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
 use crate::world::spec::{
-    AlphaInteractionSpec, GroupSpec, LawSpec, ObstacleSpec, PerAgent, PlacementSpec, Rotation,
-    ShapeSpec, VelocitySpec, WorldSpec,
+    AlphaInteractionSpec, GroupSpec, LawSpec, ObstacleSpec, PerAgent, Rotation, ShapeSpec,
+    VelocitySpec, WorldSpec,
 };
 use crate::world::{vector, vector_or_zero};
 
@@ -66,18 +67,22 @@ impl<const D: usize> Agents<D> {
 }
 
 impl AnyWorld {
-    /// Resolves a checked file; the problems are those that only placing the agents
-    /// and building the obstacles can find.
+    /// Checks and resolves a world.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
     pub fn new(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
-        Ok(match spec.dimension {
-            2 => Self::Plane(World::new(name.into(), spec)?),
-            3 => Self::Space(World::new(name.into(), spec)?),
-            other => {
-                return Err(vec![
-                    Problem::new("dimension", format!("is {other}")).allowed("2 or 3"),
-                ]);
-            }
-        })
+        sound(&spec)?;
+        Self::resolve(name.into(), spec)
+    }
+
+    /// Resolves a checked world; the problems left are those that only placing the agents
+    /// and building the obstacles can find.
+    pub(super) fn resolve(name: String, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        match spec.dimension {
+            2 => World::resolve(name, spec).map(Self::Plane),
+            _ => World::resolve(name, spec).map(Self::Space),
+        }
     }
 }
 
@@ -85,17 +90,29 @@ impl<const D: usize> World<D>
 where
     In<D>: Geometry<D>,
 {
-    /// Resolves a checked file of dimension `D`; see [`AnyWorld::new`].
-    pub fn new(name: String, mut spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+    /// Checks and resolves a world of dimension `D`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, another dimension included.
+    pub fn new(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        if spec.dimension != D {
+            let problem = Problem::new("dimension", format!("is not {D}, as asked for"));
+            return Err(vec![problem]);
+        }
+        sound(&spec)?;
+        Self::resolve(name.into(), spec)
+    }
+
+    fn resolve(name: String, mut spec: WorldSpec) -> Result<Self, Vec<Problem>> {
         let obstacles = obstacles(&spec.obstacles)?;
         for group in &mut spec.agents {
-            group.count = Some(count(group));
+            group.count = check::size(group);
         }
         let mut placement = Placement::new(&spec.agents, &obstacles);
         let mut agents = Agents::default();
         let mut problems = Vec::new();
         for (index, group) in spec.agents.iter().enumerate() {
-            let count = count(group);
+            let count = group.count.unwrap_or(0);
             match placement.place(index, group, count, spec.seed) {
                 Ok(positions) => agents.positions.extend(positions),
                 Err(problem) => problems.push(problem),
@@ -166,20 +183,23 @@ impl<const D: usize> World<D> {
 
     /// Number of steps to the end.
     pub fn steps(&self) -> u64 {
-        (self.spec.time.end / self.spec.time.step).round() as u64
+        check::whole_steps(self.spec.time.end, self.spec.time.step).unwrap_or(0)
     }
 
     /// Number of steps between frames.
     pub fn frame_steps(&self) -> u64 {
-        ((self.spec.record.every / self.spec.time.step).round() as u64).max(1)
+        let steps = check::whole_steps(self.spec.record.every, self.spec.time.step);
+        steps.unwrap_or(0).max(1)
     }
 }
 
-/// Number of agents of a checked group.
-fn count(group: &GroupSpec) -> usize {
-    match &group.positions {
-        PlacementSpec::Explicit(positions) => positions.len(),
-        _ => group.count.unwrap_or(0),
+/// What a check of a world finds, as a result.
+fn sound(spec: &WorldSpec) -> Result<(), Vec<Problem>> {
+    let problems = check::problems(spec);
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(problems)
     }
 }
 

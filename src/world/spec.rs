@@ -406,7 +406,7 @@ pub struct GammaSpec {
     #[schemars(range(min = 0))]
     pub spacing: f64,
     /// The direction n_d; any length above 0. Absent means the direction of the
-    /// first navigation law's velocity.
+    /// first navigation law that steers to a velocity other than rest.
     #[serde(default)]
     pub direction: Option<Vec<f64>>,
 }

@@ -20,7 +20,7 @@ pub fn world<const D: usize>(spec: WorldSpec) -> World<D>
 where
     In<D>: Geometry<D>,
 {
-    World::new("test".into(), spec).expect("the test's world is sound")
+    World::new("test", spec).expect("the test's world is sound")
 }
 
 /// A small smooth flock of Olfati-Saber's that meets one obstacle and touches nothing.
@@ -33,6 +33,7 @@ pub fn flock_world(dimension: usize) -> WorldSpec {
     spec(serde_json::json!({
         "dimension": dimension,
         "time": { "step": 0.01, "end": 2.0 },
+        "record": { "every": 0.4 },
         "seed": 5,
         "agents": [{
             "count": 20,
