@@ -23,6 +23,9 @@ pub struct Cells<const D: usize> {
     slot_of: Vec<u32>,
 }
 
+/// Hits that a search writes down before it visits them.
+const HITS: usize = 64;
+
 impl<const D: usize> Default for Cells<D> {
     fn default() -> Self {
         Self {
@@ -107,13 +110,24 @@ impl<const D: usize> Cells<D> {
         let first: [usize; D] = std::array::from_fn(|axis| {
             (cell[axis].wrapping_sub(reach)) as usize & (self.slots[axis] - 1)
         });
+        // Hits are written down first and visited afterwards: one store for each agent
+        // looked at, and no branch that depends on where it is.
+        let mut hits = [0u32; HITS];
+        let mut count = 0;
+        let mut report = |hits: &[u32]| {
+            for &hit in hits {
+                let offset = self.sorted[hit as usize] - point;
+                visit(hit as usize, offset, offset.norm_squared());
+            }
+        };
         let mut scan = |from: usize, to: usize| {
-            let (from, to) = (self.starts[from] as usize, self.starts[to] as usize);
-            for (place, position) in self.sorted[from..to].iter().enumerate() {
-                let offset = position - point;
-                let squared = offset.norm_squared();
-                if squared <= limit {
-                    visit(from + place, offset, squared);
+            let (from, to) = (self.starts[from], self.starts[to]);
+            for (place, position) in (from..to).zip(&self.sorted[from as usize..to as usize]) {
+                hits[count] = place;
+                count += usize::from((position - point).norm_squared() <= limit);
+                if count == HITS {
+                    report(&hits);
+                    count = 0;
                 }
             }
         };
@@ -135,6 +149,7 @@ impl<const D: usize> Cells<D> {
                 scan(base, base + end - self.slots[0]);
             }
         }
+        report(&hits[..count]);
     }
 
     /// The agent at each place of the sorted order.
