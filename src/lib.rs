@@ -1,4 +1,50 @@
-//! Flocks with bodies.
+//! Flocks with bodies: the flocking and steering laws of the literature as forces on rigid
+//! bodies in a rapier world, in 2-D and 3-D.
+//!
+//! A [`World`](world::World) comes from a JSON file and names agents, obstacles and laws. A
+//! [`Simulation`](simulation::Simulation) moves it: each step, the sum of the
+//! [`law`]s accelerates the agents, which are rigid bodies that push, block and touch each
+//! other and the obstacles. What happens comes out as the [`record`](trace::record)s of a
+//! [`trace`].
+//!
+//! ```
+//! use std::ops::ControlFlow;
+//! use volary::simulation::Simulation;
+//! use volary::world::{AnyWorld, Document};
+//!
+//! let file = r#"{
+//!   "dimension": 2,
+//!   "time": { "end": 20 },
+//!   "agents": [{ "radius": 0.5, "positions": { "explicit": [[0, 0], [6, 0], [3, 6]] } }],
+//!   "laws": [{ "alpha_interaction": { "spacing": 7, "range": 8.4 } }]
+//! }"#;
+//! let AnyWorld::Plane(world) = Document::new("three.json", file).world("three")? else {
+//!     panic!("the world is flat");
+//! };
+//! let mut simulation = Simulation::new(world)?;
+//! let summary = simulation.run(
+//!     |_record| Ok::<_, std::convert::Infallible>(()),
+//!     |_state| ControlFlow::Continue(()),
+//! )?;
+//! // Three agents settle in a triangle of side 7.
+//! assert!((summary.last.position_diameter - 7.0).abs() < 0.01);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Layout
+//!
+//! From the bottom up; each module uses only those above it in this list.
+//!
+//! - [`math`]: vectors and the scalar functions that laws are made of
+//! - [`shape`]: obstacle shapes, closest points and their derivatives
+//! - [`world`]: the world file, read, checked and resolved
+//! - [`sense`]: what agents perceive, neighbours and obstacles
+//! - [`law`]: one file per law, and the flock that sums them
+//! - [`dynamics`]: what moves the agents
+//! - [`trace`]: what a run leaves behind
+//! - [`metric`]: functions of a state, and the ledger of contacts
+//! - [`simulation`]: the loop
+//! - [`schema`]: JSON Schemas of the file formats
 
 pub mod dynamics;
 pub mod law;

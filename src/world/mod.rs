@@ -1,7 +1,7 @@
 //! Worlds: what a world file says, checked and resolved into agents and obstacles.
 //!
-//! A [`Document`](document::Document) reads the text of a file, in stages, into a
-//! [`WorldSpec`](spec::WorldSpec), or into a [`Report`](report::Report) of
+//! A [`Document`] reads the text of a file, in stages, into a
+//! [`WorldSpec`](spec::WorldSpec), or into a [`Report`] of
 //! everything that is wrong with it. The spec is then resolved into a [`World`].
 
 pub mod check;

@@ -5,7 +5,7 @@
 pub struct Problem {
     /// Path of the field: `laws[0].alpha_interaction.range`; empty for the whole file.
     pub path: String,
-    /// What is wrong with it, as the end of the sentence "<path> …".
+    /// What is wrong with it, as the end of the sentence "`path` …".
     pub what: String,
     /// What is allowed there, where a range or a list of names can say it.
     pub allowed: Option<String>,

@@ -1,0 +1,161 @@
+//! Draws some moments of a 2-D trace side by side in one SVG picture.
+//!
+//! ```sh
+//! volary run olfati-saber-2003/six-obstacles --set record.edges=true --trace run.jsonl
+//! cargo run --release --example draw -- run.jsonl picture.svg 0 8.5 17 29 44
+//! ```
+//! Bodies and obstacles (balls, cuboids and convex polygons) are drawn at true size, the
+//! edges of the proximity net where the trace has them.
+
+use std::error::Error;
+use std::fmt::Write;
+use std::path::Path;
+
+use volary::shape::{Obstacle, Shape};
+use volary::trace::record::Frame;
+use volary::trace::{Record, TraceReader};
+use volary::world::{AnyWorld, World};
+
+/// Colours that colour-blind people can tell apart (Okabe and Ito).
+const COLOURS: [&str; 6] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00",
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [trace, picture, times @ ..] = arguments.as_slice() else {
+        return Err("usage: draw TRACE.jsonl PICTURE.svg TIME…".into());
+    };
+    let times: Vec<f64> = times
+        .iter()
+        .map(|time| time.parse())
+        .collect::<Result<_, _>>()?;
+    let mut reader = TraceReader::open(Path::new(trace))?;
+    let header = reader.header().clone();
+    let AnyWorld::Plane(world) =
+        AnyWorld::new(header.name, header.world).map_err(|problems| format!("{problems:?}"))?
+    else {
+        return Err("only worlds in the plane can be drawn".into());
+    };
+    let mut frames = Vec::new();
+    for record in &mut reader {
+        if let Record::Frame(frame) = record? {
+            frames.push(frame);
+        }
+    }
+    let nearest = |time: &f64| {
+        let distance = |frame: &&Frame| (frame.time - time).abs();
+        frames
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    };
+    let moments: Vec<&Frame> = times.iter().filter_map(nearest).collect();
+    std::fs::write(picture, draw(&world, &moments)?)?;
+    Ok(())
+}
+
+fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error> {
+    let points = moments.iter().flat_map(|frame| &frame.positions);
+    let balls = world.obstacles.iter().flat_map(|obstacle| {
+        let reach = match &obstacle.shape {
+            Shape::Ball { radius } => *radius,
+            _ => 0.0,
+        };
+        let at = obstacle.pose.translation;
+        [
+            vec![at.x - reach, at.y - reach],
+            vec![at.x + reach, at.y + reach],
+        ]
+    });
+    let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for point in points.cloned().chain(balls) {
+        for axis in 0..2 {
+            min[axis] = min[axis].min(point[axis] - 4.0);
+            max[axis] = max[axis].max(point[axis] + 4.0);
+        }
+    }
+    let top = 14.0;
+    let (width, height) = (max[0] - min[0], max[1] - min[1] + top);
+    let mut svg = String::new();
+    writeln!(
+        svg,
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="{} {} {width} {height}" width="1200" height="{:.0}" font-family="sans-serif">"#,
+        min[0],
+        -max[1] - top,
+        1200.0 * height / width
+    )?;
+    writeln!(
+        svg,
+        r##"<rect x="{}" y="{}" width="100%" height="100%" fill="#ffffff"/>"##,
+        min[0],
+        -max[1] - top
+    )?;
+    // The plane's y points up, a picture's down.
+    writeln!(svg, r#"<g transform="scale(1,-1)">"#)?;
+    for obstacle in &world.obstacles {
+        draw_obstacle(&mut svg, obstacle)?;
+    }
+    for (frame, colour) in moments.iter().zip(COLOURS.iter().cycle()) {
+        let mut edges = String::new();
+        for &[i, j] in frame.edges.iter().flatten() {
+            let (a, b) = (&frame.positions[i], &frame.positions[j]);
+            write!(edges, "M{:.1} {:.1}L{:.1} {:.1}", a[0], a[1], b[0], b[1])?;
+        }
+        writeln!(
+            svg,
+            r#"<path d="{edges}" stroke="{colour}" stroke-width="0.25" stroke-opacity="0.6"/>"#
+        )?;
+        for (position, radius) in frame.positions.iter().zip(&world.agents.radius) {
+            writeln!(
+                svg,
+                r#"<circle cx="{:.1}" cy="{:.1}" r="{radius}" fill="{colour}"/>"#,
+                position[0], position[1]
+            )?;
+        }
+    }
+    writeln!(svg, "</g>")?;
+    for (frame, colour) in moments.iter().zip(COLOURS.iter().cycle()) {
+        let mean = frame.positions.iter().map(|p| p[0]).sum::<f64>() / frame.positions.len() as f64;
+        writeln!(
+            svg,
+            r#"<text x="{mean:.1}" y="{}" fill="{colour}" font-size="9" text-anchor="middle">t = {}</text>"#,
+            -max[1] - top + 11.0,
+            frame.time
+        )?;
+    }
+    writeln!(svg, "</svg>")?;
+    Ok(svg)
+}
+
+fn draw_obstacle(svg: &mut String, obstacle: &Obstacle<2>) -> std::fmt::Result {
+    let at = obstacle.pose.translation;
+    let corners: Vec<[f64; 2]> = match &obstacle.shape {
+        Shape::Ball { radius } => {
+            return writeln!(
+                svg,
+                r##"<circle cx="{}" cy="{}" r="{radius}" fill="#777777"/>"##,
+                at.x, at.y
+            );
+        }
+        Shape::Cuboid { half_extents: half } => {
+            vec![
+                [-half.x, -half.y],
+                [half.x, -half.y],
+                [half.x, half.y],
+                [-half.x, half.y],
+            ]
+        }
+        Shape::Convex { points } => points.iter().map(|point| [point.x, point.y]).collect(),
+        Shape::Capsule { .. } | Shape::HalfSpace { .. } => return Ok(()),
+    };
+    let corners: Vec<String> = corners
+        .iter()
+        .map(|corner| obstacle.pose.point_to_world(&(*corner).into()))
+        .map(|corner| format!("{:.2},{:.2}", corner.x, corner.y))
+        .collect();
+    writeln!(
+        svg,
+        r##"<polygon points="{}" fill="#777777"/>"##,
+        corners.join(" ")
+    )
+}
