@@ -1,4 +1,5 @@
-//! Bodies follow the equations of motion to second order in the step, while nothing touches.
+//! Bodies follow the equations of motion to second order in the step, while nothing touches,
+//! and keep what the equations keep.
 
 mod common;
 
@@ -9,7 +10,7 @@ use volary::math::Vector;
 use volary::shape::In;
 use volary::simulation::Simulation;
 use volary::world::World;
-use volary::world::spec::WorldSpec;
+use volary::world::spec::{LawSpec, WorldSpec};
 
 /// The equations of motion integrated by the classical Runge–Kutta method: another
 /// integrator than the engine, with the same laws.
@@ -120,4 +121,36 @@ fn second_order_in_space() {
 fn second_order_with_substeps() {
     converges::<2>(4);
     converges::<3>(3);
+}
+
+#[test]
+fn bodies_keep_the_momentum_under_the_alpha_protocols() {
+    for protocol in [
+        "nonsmooth",
+        "smooth",
+        "smooth_weighted_damping",
+        "approximate",
+    ] {
+        let mut spec = flock_world(2);
+        spec.obstacles.clear();
+        spec.laws.truncate(1);
+        let LawSpec::AlphaInteraction(alpha) = &mut spec.laws[0] else {
+            panic!("the world has this law");
+        };
+        alpha.protocol = serde_json::from_value(protocol.into()).expect("a protocol");
+        let mut simulation = Simulation::<2>::new(world(spec)).expect("a finite start");
+        let momentum = |velocities: &[Vector<2>]| velocities.iter().sum::<Vector<2>>();
+        let before = momentum(simulation.snapshot().velocities);
+        let start = simulation.snapshot().velocities.to_vec();
+        for _ in 0..200 {
+            simulation.step().expect("a finite state");
+        }
+        let state = simulation.snapshot();
+        assert!(
+            error(state.velocities, &start) > 0.1,
+            "{protocol}: nothing happened"
+        );
+        let drift = (momentum(state.velocities) - before).norm();
+        assert!(drift < 1e-12, "{protocol}: the momentum drifts by {drift}");
+    }
 }

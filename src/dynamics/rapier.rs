@@ -46,7 +46,7 @@ impl Rapier {
         parameters.contact_clustering = false;
 
         let agents = &world.agents;
-        let bodies = (0..agents.len())
+        let bodies: Vec<_> = (0..agents.len())
             .map(|i| {
                 let mut body = RigidBodyBuilder::dynamic()
                     .translation(vector(&agents.positions[i]))
@@ -61,18 +61,20 @@ impl Rapier {
                 }
                 let collider = ColliderBuilder::ball(agents.radius[i])
                     .mass(agents.mass[i])
+                    .user_data(i as u128)
                     .restitution(physics.restitution)
                     .friction(physics.friction);
                 engine.insert(body, collider).0
             })
             .collect();
-        for obstacle in &world.obstacles {
+        for (index, obstacle) in world.obstacles.iter().enumerate() {
             // The shape was built once already when the obstacle was made.
             let Some(solid) = geometry::solid(&obstacle.shape) else {
                 continue;
             };
             let collider = ColliderBuilder::new(solid)
                 .position(geometry::pose(&obstacle.pose))
+                .user_data((bodies.len() + index) as u128)
                 .restitution(physics.restitution)
                 .friction(physics.friction);
             engine.insert_collider(collider, None);
@@ -83,9 +85,10 @@ impl Rapier {
         }
     }
 
-    /// What a collider belongs to: agents were inserted first, then the obstacles.
+    /// What a collider belongs to, by its user data: the agents count first, then the
+    /// obstacles.
     fn owner(&self, collider: ColliderHandle) -> Touched {
-        let index = collider.into_raw_parts().0 as usize;
+        let index = self.world.colliders[collider].user_data as usize;
         match index.checked_sub(self.bodies.len()) {
             None => Touched::Agent(index),
             Some(obstacle) => Touched::Obstacle(obstacle),

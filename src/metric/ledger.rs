@@ -35,7 +35,7 @@ impl Ledger {
             let key = (touch.agent, touch.touched);
             let contact = before.remove(&key);
             let contact = contact.unwrap_or_else(|| self.begin(begin, touch));
-            let contact = self.go_on(contact, end, touch);
+            let contact = self.go_on(contact, begin, end, touch);
             self.open.insert(key, contact);
         }
         before.into_values().collect()
@@ -101,7 +101,13 @@ impl Ledger {
         }
     }
 
-    fn go_on<const D: usize>(&mut self, contact: Contact, end: f64, touch: &Touch<D>) -> Contact {
+    fn go_on<const D: usize>(
+        &mut self,
+        contact: Contact,
+        begin: f64,
+        end: f64,
+        touch: &Touch<D>,
+    ) -> Contact {
         let penetration = (-touch.gap).max(0.0);
         let count = self.count(contact.with);
         count.largest_impulse = count.largest_impulse.max(touch.impulse);
@@ -113,7 +119,8 @@ impl Ledger {
         *smallest = Some(smallest.unwrap_or(f64::INFINITY).min(touch.gap));
         Contact {
             end,
-            steps: contact.steps + 1,
+            // An overlap found when the run ends takes no step.
+            steps: contact.steps + u64::from(begin < end),
             largest_impulse: contact.largest_impulse.max(touch.impulse),
             deepest_penetration: contact.deepest_penetration.max(penetration),
             ..contact
@@ -174,7 +181,7 @@ mod tests {
         assert_eq!(ledger.agent_contacts().pairs, 1);
         assert_eq!(ledger.smallest_agent_gap(), Some(-0.03));
         let rest = ledger.close::<2>(0.4, &[touch(2, pair, -0.02, 0.0)]);
-        assert!(rest.len() == 1 && rest[0].open);
+        assert!(rest.len() == 1 && rest[0].open && rest[0].steps == 1);
     }
 
     #[test]
