@@ -1,0 +1,151 @@
+//! The world file: every field that a `worlds/**/*.json` file may hold, with
+//! its default, unit and range.
+//!
+//! These types are the only description of the format. The JSON Schema that
+//! `volary schema world` prints is derived from them, and the reader checks
+//! files against that schema, so a range written here is documented, checked
+//! and reported in one stroke. Units are those of the world: lengths, times and
+//! masses are whatever the laws' parameters are measured in.
+
+mod agents;
+mod law;
+mod obstacle;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use agents::{
+    BallSpec, BoxSpec, GroupSpec, PerAgent, PlacementSpec, VelocityBoxSpec, VelocitySpec,
+};
+pub use law::{
+    ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, LawSpec, NavigationSpec,
+    ObstacleAvoidanceSpec, Steered,
+};
+pub use obstacle::{ObstacleSpec, Rotation, ShapeSpec};
+
+/// A world: agents, obstacles, laws and time, as read from one JSON file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "World", title = "Volary world")]
+pub struct WorldSpec {
+    /// The JSON Schema this file follows; for editors, ignored by the program.
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// What the world shows, in a sentence or two.
+    #[serde(default)]
+    pub description: String,
+    /// Anything a reader should know: sources, choices made, results.
+    #[serde(default)]
+    pub notes: Vec<String>,
+    /// Number of space dimensions, 2 or 3. Every vector of the file has this length.
+    #[schemars(range(min = 2, max = 3))]
+    pub dimension: usize,
+    /// Step and end of the run.
+    pub time: TimeSpec,
+    /// Seed of every random draw of the world.
+    #[serde(default = "one_u64")]
+    #[schemars(range(max = u64::MAX))]
+    pub seed: u64,
+    /// Settings of the physics engine.
+    #[serde(default)]
+    pub physics: PhysicsSpec,
+    /// The agents, in groups.
+    #[schemars(length(min = 1))]
+    pub agents: Vec<GroupSpec>,
+    /// The obstacles: fixed convex bodies.
+    #[serde(default)]
+    pub obstacles: Vec<ObstacleSpec>,
+    /// The laws whose sum accelerates the agents.
+    #[serde(default)]
+    pub laws: Vec<LawSpec>,
+    /// What the trace records, and how often.
+    #[serde(default)]
+    pub record: RecordSpec,
+}
+
+/// Step and end of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Time")]
+pub struct TimeSpec {
+    /// Step of the physics engine.
+    #[serde(default = "default_step")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub step: f64,
+    /// End of the run; a whole number of steps.
+    #[schemars(range(min = 0))]
+    pub end: f64,
+}
+
+/// Settings of the physics engine.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+#[schemars(rename = "Physics")]
+pub struct PhysicsSpec {
+    /// Solver substeps in each step, 1 to 64. One is enough but for dense piles.
+    #[schemars(range(min = 1, max = 64))]
+    pub solver_iterations: usize,
+    /// Restitution of every contact: 0 keeps no normal speed, 1 keeps all of it.
+    #[schemars(range(min = 0, max = 1))]
+    pub restitution: f64,
+    /// Coulomb friction coefficient of every contact.
+    #[schemars(range(min = 0))]
+    pub friction: f64,
+    /// Acceleration of gravity, one number per dimension; absent means none.
+    pub gravity: Option<Vec<f64>>,
+    /// How many length units make up a typical body's size; scales the engine's
+    /// contact tolerances (prediction distance 0.02 and slop 0.005 of it).
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub length_unit: f64,
+}
+
+impl Default for PhysicsSpec {
+    fn default() -> Self {
+        Self {
+            solver_iterations: 1,
+            restitution: 0.0,
+            friction: 0.0,
+            gravity: None,
+            length_unit: 1.0,
+        }
+    }
+}
+
+/// What the trace records, and how often.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+#[schemars(rename = "Record")]
+pub struct RecordSpec {
+    /// Time between frames; a whole number of steps. The first frame is the start,
+    /// the last is the end.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub every: f64,
+    /// Record the metrics of each frame.
+    pub metrics: bool,
+    /// Record the acceleration that each law gives each agent.
+    pub accelerations: bool,
+    /// Record the β-agents: projection and velocity for each agent and active obstacle.
+    pub beta_agents: bool,
+    /// Record the edges of the proximity net.
+    pub edges: bool,
+}
+
+impl Default for RecordSpec {
+    fn default() -> Self {
+        Self {
+            every: 0.1,
+            metrics: true,
+            accelerations: false,
+            beta_agents: false,
+            edges: false,
+        }
+    }
+}
+
+fn one_u64() -> u64 {
+    1
+}
+
+fn default_step() -> f64 {
+    0.01
+}
