@@ -2,7 +2,7 @@
 
 use super::{Check, is_nonzero, moves};
 use crate::world::problem::Problem;
-use crate::world::spec::{ActionSpec, GammaSpec, LawSpec, NavigationSpec};
+use crate::world::spec::{ActionSpec, Feedback, GammaSpec, LawSpec, NavigationSpec};
 use crate::world::words::number;
 
 impl Check {
@@ -24,11 +24,24 @@ impl Check {
                     self.add(format!("{path}.standoff"), what);
                 }
                 self.action(&path, &law.action);
+                let rate = law.gain * law.damping;
+                self.damping(&format!("{path}.damping"), "times the gain", rate);
                 if let Some(gamma) = &law.gamma {
                     self.gamma(&format!("{path}.gamma"), gamma, laws);
                 }
             }
             LawSpec::Navigation(law) => self.navigation(&format!("{path}.navigation"), law),
+        }
+    }
+
+    /// Linear feedback on the velocity is stable at rates below one over the step only
+    /// (see the coupling of laws to bodies); above, the run would be noise.
+    fn damping(&mut self, path: &str, times: &str, rate: f64) {
+        if rate * self.step >= 1.0 {
+            let most = number(1.0 / self.step);
+            let what = format!("{times} must be below {most}, one over the step, to be stable");
+            let problem = Problem::new(path, what.trim_start());
+            self.problems.push(problem.hint("a smaller `time.step`"));
         }
     }
 
@@ -55,6 +68,9 @@ impl Check {
     fn navigation(&mut self, path: &str, law: &NavigationSpec) {
         if law.destination.is_none() && law.velocity.is_none() {
             self.add(path, "must have a `destination` or a `velocity`");
+        }
+        if law.feedback == Feedback::Linear {
+            self.damping(&format!("{path}.velocity_gain"), "", law.velocity_gain);
         }
         if let Some(destination) = &law.destination {
             self.vector(&format!("{path}.destination"), destination);

@@ -35,6 +35,7 @@ pub fn problems(world: &WorldSpec) -> Vec<Problem> {
 pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     let mut check = Check {
         dimension: world.dimension,
+        step: world.time.step,
         problems: Vec::new(),
     };
     check.time(&world.time, &world.record);
@@ -81,6 +82,7 @@ pub fn moves(navigation: &NavigationSpec) -> bool {
 
 struct Check {
     dimension: usize,
+    step: f64,
     problems: Vec<Problem>,
 }
 
