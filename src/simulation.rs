@@ -91,13 +91,16 @@ impl<const D: usize> Simulation<D> {
                 break;
             }
         }
-        if end.is_ok() {
-            record(Record::Frame(self.frame()))?;
-            let overlaps = self.bodies.touches_now();
-            let rest = self.ledger.close(self.snapshot().time, &overlaps);
-            rest.into_iter()
-                .try_for_each(|c| record(Record::Contact(c)))?;
-        }
+        let overlaps = match &end {
+            Ok(_) => {
+                record(Record::Frame(self.frame()))?;
+                self.bodies.touches_now()
+            }
+            Err(_) => Vec::new(),
+        };
+        let rest = self.ledger.close(self.snapshot().time, &overlaps);
+        rest.into_iter()
+            .try_for_each(|c| record(Record::Contact(c)))?;
         let summary = self.summary(end);
         record(Record::Summary(Box::new(summary.clone())))?;
         Ok(summary)
@@ -158,12 +161,10 @@ impl<const D: usize> Simulation<D> {
     }
 
     fn frame(&mut self) -> Frame {
-        let wants = &self.world.spec.record;
-        let metrics = wants.metrics.then(|| self.metrics());
-        if let Some(metrics) = &metrics {
-            keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);
-            keep_least(&mut self.smallest_obstacle_gap, metrics.obstacle_gap);
-        }
+        // Measured whether recorded or not: the summary keeps the smallest gaps.
+        let metrics = self.metrics();
+        keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);
+        keep_least(&mut self.smallest_obstacle_gap, metrics.obstacle_gap);
         let state = self.bodies.snapshot();
         let world = &self.world;
         let seen = State {
@@ -177,7 +178,7 @@ impl<const D: usize> Simulation<D> {
             time: state.time,
             positions: lists(state.positions),
             velocities: lists(state.velocities),
-            metrics,
+            metrics: world.spec.record.metrics.then_some(metrics),
             accelerations: world.spec.record.accelerations.then(|| {
                 self.flock
                     .by_law(&seen)

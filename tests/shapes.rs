@@ -278,3 +278,52 @@ fn gamma_agents_sit_between_centre_and_surface() {
         assert!((half - (center + surface) / 2.0).norm() < 1e-12);
     }
 }
+
+#[test]
+fn hulls_too_thin_for_the_engine_are_refused_and_others_are_right() {
+    let slab = |half: f64| {
+        let corner = |k: usize| {
+            let sign = |bit: usize| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
+            Vector::<3>::new(2.0 + 2.0 * sign(0), 4.0 * sign(1), half * sign(2))
+        };
+        let shape = Shape::Convex {
+            points: (0..8).map(corner).collect(),
+        };
+        let pose = Pose::new(Vector::<3>::zeros(), [0.0; 3]);
+        Obstacle::new("slab".into(), shape, pose)
+    };
+    let beside = Vector::<3>::new(10.0, 0.1, 0.1);
+    for half in [0.5, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 1e-3, 1e-4, 1e-6] {
+        match slab(half) {
+            Some(slab) => {
+                let distance = slab.project(&beside).distance;
+                let exact = (36.0 + (0.1 - half).max(0.0).powi(2)).sqrt();
+                assert!((distance - exact).abs() < 1e-6, "{half}: {distance}");
+            }
+            None => assert!(half < 0.005, "{half} is thick enough"),
+        }
+    }
+    assert!(slab(1e-4).is_none());
+}
+
+#[test]
+fn hulls_far_from_their_origin_stay_sharp() {
+    for (size, at) in [(0.01, 1e6), (1.0, 1e8), (1.0, 0.0)] {
+        let corner = |k: usize| {
+            let side = |bit: usize| at + size * (k >> bit & 1) as f64;
+            Vector::<2>::new(side(0), side(1))
+        };
+        let shape = Shape::Convex {
+            points: (0..4).map(corner).collect(),
+        };
+        let pose = Pose::new(Vector::<2>::zeros(), [0.0; 3]);
+        let square = Obstacle::new("square".into(), shape, pose).expect("a solid");
+        let beyond = Vector::<2>::repeat(at + 3.0 * size);
+        let distance = square.project(&beyond).distance;
+        let exact = 2.0 * size * 2.0f64.sqrt();
+        assert!(
+            (distance - exact).abs() < 1e-6 * size.max(1e-3),
+            "{at}: {distance} {exact}"
+        );
+    }
+}

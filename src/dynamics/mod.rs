@@ -60,8 +60,8 @@ pub trait Physics<const D: usize>: Send {
     /// Sets the velocity of each agent.
     fn set_velocities(&mut self, velocities: &[Vector<D>]);
 
-    /// Takes one step under these forces, which end with it. Without any, the bodies
-    /// coast, or keep what pushed them last.
+    /// Takes one step under these forces, one for each agent, in place of those of the step
+    /// before. An empty list leaves the forces as they were, at first none.
     fn step(&mut self, forces: &[Vector<D>]);
 
     /// Finds the contacts of the present positions, without moving anything.

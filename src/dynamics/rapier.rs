@@ -52,6 +52,7 @@ impl Rapier {
                     .translation(vector(&agents.positions[i]))
                     .linvel(vector(&agents.velocities[i]))
                     .can_sleep(false)
+                    .user_data(i as u128)
                     // Contacts are foreseen along a whole step's travel: of agents
                     // with each other, which the engine's sweeps leave out, and with walls.
                     .soft_ccd_prediction(f64::MAX);
@@ -167,7 +168,9 @@ impl Physics<D> for Rapier {
 
     fn lost(&self) -> Vec<usize> {
         let lost = self.world.quarantine().bodies().iter();
-        lost.map(|body| body.into_raw_parts().0 as usize).collect()
+        lost.filter_map(|body| self.world.bodies.get(*body))
+            .map(|body| body.user_data as usize)
+            .collect()
     }
 }
 

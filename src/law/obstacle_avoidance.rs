@@ -20,13 +20,15 @@
 //! | `gamma.spacing` | d_γ | length |
 //! | `gamma.direction` | n_d | direction |
 //!
-//! A half-space has no centre and so no γ-agent.
+//! A half-space has no centre and so no γ-agent. Inside an obstacle (d < 0) the damping takes
+//! the part of p across the surface only: p̂ has no bound there.
 
 use crate::law::Law;
 use crate::math::{Action, Bump, Vector, direction};
 use crate::sense::{Scene, active_obstacles};
-use crate::world::World;
+use crate::shape::{Obstacle, Projection};
 use crate::world::spec::ObstacleAvoidanceSpec;
+use crate::world::{World, vector};
 
 /// The (α, β) and (α, γ) interactions; see the module.
 #[derive(Debug, Clone)]
@@ -46,13 +48,10 @@ impl<const D: usize> ObstacleAvoidance<D> {
     /// The law with the parameters of a checked world file, for that world's obstacles.
     pub fn new(spec: &ObstacleAvoidanceSpec, world: &World<D>) -> Self {
         let along = spec.gamma.as_ref().and_then(|gamma| {
-            let along = match &gamma.direction {
-                Some(given) => crate::world::vector(given),
-                None => world.target_velocity()?,
-            };
+            let along = vector(gamma.direction.as_ref()?);
             Some((direction(&along), gamma.offset))
         });
-        let gamma_agent = |obstacle: &crate::shape::Obstacle<D>| {
+        let gamma_agent = |obstacle: &Obstacle<D>| {
             let (along, offset) = along?;
             obstacle.interior_point(&along, offset)
         };
@@ -87,10 +86,20 @@ impl<const D: usize> Law<D> for ObstacleAvoidance<D> {
                     sum += direction(&way) * self.action.force(stretch);
                 }
                 if self.damping > 0.0 {
-                    sum += (beta.velocity(p) - p) * self.damping;
+                    sum += drift(beta, p) * self.damping;
                 }
                 *acceleration += sum * (self.gain * self.bump.value(distance / self.range));
             }
         }
+    }
+}
+
+/// p̂ − p outside. Inside, the surface point runs ever faster the nearer the agent is to
+/// the middle, so there only the part across the surface is damped.
+fn drift<const D: usize>(beta: &Projection<D>, p: &Vector<D>) -> Vector<D> {
+    if beta.distance >= 0.0 {
+        beta.velocity(p) - p
+    } else {
+        beta.normal * -beta.normal.dot(p)
     }
 }

@@ -22,9 +22,14 @@ pub fn saturate<const D: usize>(z: &Vector<D>) -> Vector<D> {
 
 /// The unit vector along `z`, or zero where `z` is zero.
 pub fn direction<const D: usize>(z: &Vector<D>) -> Vector<D> {
-    let length = z.norm();
-    if length > 0.0 {
-        z / length
+    let squared = z.norm_squared();
+    if squared.is_normal() {
+        return z / squared.sqrt();
+    }
+    // Very long or very short: its square cannot be told from infinity or zero.
+    let largest = z.amax();
+    if largest > 0.0 {
+        (z / largest).normalize()
     } else {
         Vector::zeros()
     }
@@ -36,4 +41,21 @@ pub fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {
         return Vector::zeros();
     }
     vectors.iter().sum::<Vector<D>>() / vectors.len() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_have_length_one_however_long_the_vector() {
+        for length in [1e-310, 1e-200, 1.0, 1e200, 1e300] {
+            let along = direction(&(Vector::<2>::new(3.0, 4.0) * length));
+            assert!(
+                (along - Vector::<2>::new(0.6, 0.8)).norm() < 1e-9,
+                "{length}"
+            );
+        }
+        assert_eq!(direction(&Vector::<2>::zeros()), Vector::<2>::zeros());
+    }
 }

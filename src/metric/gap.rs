@@ -12,12 +12,12 @@ pub fn agent_gap<const D: usize>(positions: &[Vector<D>], radii: &[f64]) -> Opti
     }
     let widest = radii.iter().copied().fold(0.0, f64::max);
     let mut cells = Cells::default();
-    // A first guess at how far apart neighbours are; doubled until a pair is found that
-    // none outside the range can beat.
+    // A short range first, so that one far agent does not make neighbours of all others;
+    // doubled until a pair is found that none outside the range can beat.
     let spread = positions
         .iter()
         .fold(0.0, |far, p| f64::max(far, (p - positions[0]).norm()));
-    let mut range = 4.0 * widest + spread * (positions.len() as f64).powf(-1.0 / D as f64);
+    let mut range = f64::max(4.0 * widest, 1e-6 * spread);
     loop {
         cells.rebuild(positions, range);
         let mut gap = f64::INFINITY;

@@ -11,7 +11,6 @@ use crate::math::Vector;
 /// fixed order (by slot, then by index), whatever the number of threads.
 #[derive(Debug, Clone)]
 pub struct Cells<const D: usize> {
-    origin: Vector<D>,
     side: f64,
     /// Slots along each axis, a power of two.
     slots: [usize; D],
@@ -29,7 +28,6 @@ const HITS: usize = 64;
 impl<const D: usize> Default for Cells<D> {
     fn default() -> Self {
         Self {
-            origin: Vector::zeros(),
             side: 1.0,
             slots: [1; D],
             starts: vec![0, 0],
@@ -45,20 +43,21 @@ impl<const D: usize> Cells<D> {
     /// was there. Searches are quickest with a range of one side.
     pub fn rebuild(&mut self, positions: &[Vector<D>], side: f64) {
         debug_assert!(side > 0.0);
-        self.side = side;
+        // A hair wider, so that rounding cannot put agents one side apart two cells apart.
+        self.side = side * (1.0 + 1e-9);
         let mut min = Vector::<D>::repeat(f64::INFINITY);
         let mut max = Vector::<D>::repeat(f64::NEG_INFINITY);
         for position in positions {
             min = min.inf(position);
             max = max.sup(position);
         }
-        self.origin = min;
         let target = (2 * positions.len()).max(1);
         self.slots = std::array::from_fn(|axis| {
             let cells = ((max[axis] - min[axis]) / side).floor() + 1.0;
             (cells.clamp(1.0, target as f64) as usize).next_power_of_two()
         });
-        while self.slots.iter().product::<usize>() > 2 * target {
+        let total = |slots: &[usize; D]| slots.iter().map(|&n| n as f64).product::<f64>();
+        while total(&self.slots) > 2.0 * target as f64 {
             let longest = (0..D).max_by_key(|&axis| self.slots[axis]).unwrap_or(0);
             self.slots[longest] /= 2;
         }
@@ -163,7 +162,7 @@ impl<const D: usize> Cells<D> {
     }
 
     fn cell(&self, point: &Vector<D>) -> [i64; D] {
-        std::array::from_fn(|axis| ((point[axis] - self.origin[axis]) / self.side).floor() as i64)
+        std::array::from_fn(|axis| (point[axis] / self.side).floor() as i64)
     }
 
     fn slot(&self, cell: &[i64; D]) -> usize {
@@ -238,5 +237,24 @@ mod tests {
         points.push(Vector::<2>::new(1e300, -1e300));
         points.push(Vector::<2>::new(-1e12, 1e12));
         check(&points, 1.0, 1.0);
+    }
+
+    #[test]
+    fn one_agent_far_below_the_others_hides_none_of_them() {
+        let mut points: Vec<Vector<2>> = (0..50)
+            .map(|k| Vector::<2>::new(f64::from(k) * 0.5, 0.0))
+            .collect();
+        points.push(Vector::<2>::new(-1e17, -1e17));
+        check(&points, 1.0, 1.0);
+    }
+
+    #[test]
+    fn a_million_agents_in_a_vast_space_fit_the_table() {
+        let mut cells = Cells::default();
+        let points: Vec<Vector<3>> = (0..1_100_000)
+            .map(|k| Vector::<3>::repeat(f64::from(k) * 1e6))
+            .collect();
+        cells.rebuild(&points, 1.0);
+        assert_eq!(found(&cells, &points[777], 1.0), [777]);
     }
 }

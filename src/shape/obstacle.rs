@@ -22,8 +22,8 @@ pub struct Obstacle<const D: usize> {
 enum Core<const D: usize> {
     /// A point or a segment, with the radius about it.
     Thin { radius: f64, axis: Option<Axis<D>> },
-    /// Flat faces: a polytope or a half-space, with the size that tolerances scale with.
-    Flat { faces: Vec<Face<D>>, size: f64 },
+    /// Flat faces: a polytope or a half-space. A point this near to a face lies on it.
+    Flat { faces: Vec<Face<D>>, near: f64 },
 }
 
 /// The segment inside a capsule.
@@ -71,7 +71,8 @@ impl<const D: usize> Obstacle<D>
 where
     In<D>: Geometry<D>,
 {
-    /// An obstacle; `None` where the shape has no interior.
+    /// An obstacle; `None` where no solid can be made of the shape: a convex hull must be
+    /// about a thousandth as thick as it is wide.
     pub fn new(name: String, shape: Shape<D>, pose: Pose<D>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
         let core = match &shape {
@@ -89,20 +90,14 @@ where
             },
             Shape::Cuboid { half_extents } => Core::Flat {
                 faces: query.faces(),
-                size: half_extents.norm(),
+                near: ON_FACE * half_extents.norm(),
             },
             Shape::HalfSpace { .. } => Core::Flat {
                 faces: query.faces(),
-                size: 1.0,
+                near: ON_FACE,
             },
-            Shape::Convex { points } => Core::Flat {
-                faces: query.faces(),
-                size: points.iter().map(|p| p.norm()).fold(0.0, f64::max),
-            },
+            Shape::Convex { points } => hull(points, query.faces())?,
         };
-        if matches!(&core, Core::Flat { faces, .. } if faces.is_empty()) {
-            return None;
-        }
         let bounds = query.bounds(&pose);
         Some(Self {
             name,
@@ -132,7 +127,7 @@ impl<const D: usize> Obstacle<D> {
             Core::Thin { radius, axis } => {
                 thin(&local, &self.query.closest(&local), *radius, axis.as_ref())
             }
-            Core::Flat { faces, size } => self.flat(&local, faces, *size),
+            Core::Flat { faces, near } => self.flat(&local, faces, *near),
         };
         Projection {
             point: self.pose.point_to_world(&projection.point),
@@ -142,20 +137,20 @@ impl<const D: usize> Obstacle<D> {
         }
     }
 
-    fn flat(&self, q: &Vector<D>, faces: &[Face<D>], size: f64) -> Projection<D> {
+    fn flat(&self, q: &Vector<D>, faces: &[Face<D>], near: f64) -> Projection<D> {
         let height = |face: &Face<D>| face.normal.dot(q) - face.offset;
         let nearest = faces
             .iter()
             .max_by(|a, b| height(a).total_cmp(&height(b)))
             .expect("checked when the obstacle was made");
-        if height(nearest) <= ON_FACE * size {
+        if height(nearest) <= near {
             // Inside, or on the surface: the nearest face, as if it had no end.
             return onto(q, std::slice::from_ref(&nearest), nearest.normal);
         }
         let closest = self.query.closest(q);
         let mut touched: Vec<&Face<D>> = faces
             .iter()
-            .filter(|face| (face.normal.dot(&closest) - face.offset).abs() <= ON_FACE * size)
+            .filter(|face| (face.normal.dot(&closest) - face.offset).abs() <= near)
             .collect();
         if touched.is_empty() {
             touched.push(nearest);
@@ -191,6 +186,23 @@ impl<const D: usize> Obstacle<D> {
         }
         Some(center + along * (offset * 0.5 * (inside + outside)))
     }
+}
+
+/// The core of a hull; `None` where the query made something flat of it, which it does with
+/// thin ones: a polytope has more faces than dimensions, and all points behind each.
+fn hull<const D: usize>(points: &[Vector<D>], faces: Vec<Face<D>>) -> Option<Core<D>> {
+    let first = points.first()?;
+    let largest = |size: fn(&Vector<D>, &Vector<D>) -> f64| {
+        points.iter().map(|p| size(p, first)).fold(0.0, f64::max)
+    };
+    let spread = largest(|p, first| (p - first).norm());
+    // Far from the origin, rounding outgrows the share of the size.
+    let near = ON_FACE * spread + 16.0 * f64::EPSILON * largest(|p, _| p.norm());
+    let behind = |face: &Face<D>| {
+        let height = |p: &Vector<D>| face.normal.dot(p) - face.offset;
+        points.iter().all(|p| height(p) <= 100.0 * near)
+    };
+    (faces.len() > D && faces.iter().all(behind)).then_some(Core::Flat { faces, near })
 }
 
 /// Projection onto a rounded point or segment, `core` being the point of it nearest to `q`.

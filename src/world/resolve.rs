@@ -134,7 +134,7 @@ where
             return Err(problems);
         }
         let gravity: Vector<D> = vector_or_zero(&spec.physics.gravity);
-        spec.physics.gravity = Some(gravity.iter().copied().collect());
+        fill_in::<D>(&mut spec);
         Ok(Self {
             name,
             agents,
@@ -146,17 +146,6 @@ where
 }
 
 impl<const D: usize> World<D> {
-    /// The velocity p_d of the first navigation law that has one other than rest.
-    pub fn target_velocity(&self) -> Option<Vector<D>> {
-        self.spec.laws.iter().find_map(|law| match law {
-            LawSpec::Navigation(navigation) => {
-                let velocity: Vector<D> = vector(navigation.velocity.as_ref()?);
-                (velocity != Vector::<D>::zeros()).then_some(velocity)
-            }
-            _ => None,
-        })
-    }
-
     /// The velocity that the first navigation law steers to, rest included.
     pub fn navigation_velocity(&self) -> Option<Vector<D>> {
         self.spec.laws.iter().find_map(|law| match law {
@@ -191,6 +180,37 @@ impl<const D: usize> World<D> {
         let steps = check::whole_steps(self.spec.record.every, self.spec.time.step);
         steps.unwrap_or(0).max(1)
     }
+}
+
+/// Writes out the defaults that depend on the dimension or on other fields, so that the
+/// trace's header leaves nothing to be known.
+fn fill_in<const D: usize>(spec: &mut WorldSpec) {
+    let zeros = || vec![0.0; D];
+    spec.physics.gravity.get_or_insert_with(zeros);
+    for obstacle in &mut spec.obstacles {
+        obstacle.position.get_or_insert_with(zeros);
+        obstacle.rotation.get_or_insert(match D {
+            2 => Rotation::Angle(0.0),
+            _ => Rotation::Vector(vec![0.0; 3]),
+        });
+    }
+    let target = target_velocity(&spec.laws).cloned();
+    for law in &mut spec.laws {
+        if let LawSpec::ObstacleAvoidance(law) = law
+            && let Some(gamma) = &mut law.gamma
+            && gamma.direction.is_none()
+        {
+            gamma.direction.clone_from(&target);
+        }
+    }
+}
+
+/// The velocity of the first navigation law that has one other than rest.
+fn target_velocity(laws: &[LawSpec]) -> Option<&Vec<f64>> {
+    laws.iter().find_map(|law| match law {
+        LawSpec::Navigation(law) if check::moves(law) => law.velocity.as_ref(),
+        _ => None,
+    })
 }
 
 /// What a check of a world finds, as a result.
@@ -236,7 +256,8 @@ where
             Some(obstacle) => obstacles.push(obstacle),
             None => problems.push(Problem::new(
                 format!("obstacles[{index}].shape"),
-                "has no interior: no solid can be made of it",
+                "is too thin to make a solid of: it must be about a thousandth as thick as it is \
+                 wide",
             )),
         }
     }

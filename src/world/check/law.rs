@@ -34,12 +34,19 @@ impl Check {
         }
     }
 
-    /// Linear feedback on the velocity is stable at rates below one over the step only
-    /// (see the coupling of laws to bodies); above, the run would be noise.
+    /// Linear feedback on the velocity is stable at rates below 2n²/((n + 1)(2n − 1)) over
+    /// the step only, with n solver iterations (see the coupling of laws to bodies);
+    /// above, the run would be noise.
     fn damping(&mut self, path: &str, times: &str, rate: f64) {
-        if rate * self.step >= 1.0 {
-            let most = number(1.0 / self.step);
-            let what = format!("{times} must be below {most}, one over the step, to be stable");
+        let n = self.solver_iterations as f64;
+        let limit = 2.0 * n * n / ((n + 1.0) * (2.0 * n - 1.0));
+        self.stable(path, times, rate, limit / self.step);
+    }
+
+    fn stable(&mut self, path: &str, times: &str, rate: f64, limit: f64) {
+        if rate >= limit {
+            let limit = number(limit);
+            let what = format!("{times} must be below {limit} to be stable at this step");
             let problem = Problem::new(path, what.trim_start());
             self.problems.push(problem.hint("a smaller `time.step`"));
         }
@@ -71,6 +78,16 @@ impl Check {
         }
         if law.feedback == Feedback::Linear {
             self.damping(&format!("{path}.velocity_gain"), "", law.velocity_gain);
+            if law.destination.is_some() {
+                // An oscillator of frequency ω needs ωh < 2.
+                let limit = 4.0 / (self.step * self.step);
+                self.stable(
+                    &format!("{path}.position_gain"),
+                    "",
+                    law.position_gain,
+                    limit,
+                );
+            }
         }
         if let Some(destination) = &law.destination {
             self.vector(&format!("{path}.destination"), destination);

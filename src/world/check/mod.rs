@@ -36,6 +36,7 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     let mut check = Check {
         dimension: world.dimension,
         step: world.time.step,
+        solver_iterations: world.physics.solver_iterations,
         problems: Vec::new(),
     };
     check.time(&world.time, &world.record);
@@ -80,9 +81,13 @@ pub fn moves(navigation: &NavigationSpec) -> bool {
     navigation.velocity.as_deref().is_some_and(is_nonzero)
 }
 
+/// Largest size of a number in a vector.
+const LARGEST: f64 = 1e100;
+
 struct Check {
     dimension: usize,
     step: f64,
+    solver_iterations: usize,
     problems: Vec<Problem>,
 }
 
@@ -98,8 +103,10 @@ impl Check {
         if !fits {
             let what = format!("must have {} numbers, not {}", self.dimension, vector.len());
             self.add(path, what);
-        } else if !vector.iter().all(|x| x.is_finite()) {
-            self.add(path, "must hold finite numbers");
+        } else if !vector.iter().all(|x| x.abs() <= LARGEST) {
+            // Squares of lengths must stay finite.
+            let problem = Problem::new(path, "holds a number too large to compute with");
+            self.problems.push(problem.allowed("-1e100 to 1e100"));
         }
         fits
     }
