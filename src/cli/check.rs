@@ -3,6 +3,7 @@
 use clap::Args;
 use volary::world::{AnyWorld, World};
 
+use super::summary::plural;
 use super::{Refusal, load, print};
 
 /// Arguments of `volary check`.
@@ -18,9 +19,9 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Refusal> {
     let mut complaints = Vec::new();
     for world in &arguments.worlds {
         match load::load(world, Vec::new()) {
-            Ok(AnyWorld::Plane(sound)) => print(&describe(world, &sound)),
-            Ok(AnyWorld::Space(sound)) => print(&describe(world, &sound)),
-            Err(Refusal::BadInput(complaint)) => complaints.push(complaint),
+            Ok(AnyWorld::Plane(sound)) => print(&describe(world, &sound))?,
+            Ok(AnyWorld::Space(sound)) => print(&describe(world, &sound))?,
+            Err(Refusal::BadInput(complaint)) => complaints.push(complaint.trim_end().to_owned()),
             Err(other) => return Err(other),
         }
     }
@@ -32,16 +33,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Refusal> {
 }
 
 fn describe<const D: usize>(name: &str, world: &World<D>) -> String {
-    let count = |n: usize, thing: &str, things: &str| match n {
-        0 => format!("no {things}"),
-        1 => format!("1 {thing}"),
-        n => format!("{n} {things}"),
-    };
     format!(
-        "{name}: sound; {D}-D, {}, {}, {}, {} steps\n",
-        count(world.agents.len(), "agent", "agents"),
-        count(world.obstacles.len(), "obstacle", "obstacles"),
-        count(world.spec.laws.len(), "law", "laws"),
-        world.steps()
+        "{name}: sound; {D}-D, {}, {}, {}, {}\n",
+        plural(world.agents.len() as u64, "agent"),
+        plural(world.obstacles.len() as u64, "obstacle"),
+        plural(world.spec.laws.len() as u64, "law"),
+        plural(world.steps(), "step")
     )
 }

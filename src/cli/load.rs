@@ -1,6 +1,6 @@
 //! Finding and reading a world that the command line names.
 
-use std::io::IsTerminal;
+use std::io::{ErrorKind, IsTerminal};
 use std::path::Path;
 
 use volary::world::{AnyWorld, Document, Override, shipped};
@@ -13,26 +13,40 @@ pub(super) fn load(world: &str, overrides: Vec<Override>) -> Result<AnyWorld, Re
     let document = document.with(overrides);
     document
         .world(name)
-        .map_err(|report| Refusal::bad_input(report.render(std::io::stderr().is_terminal())))
+        .map_err(|report| Refusal::BadInput(report.render(in_color())))
 }
 
 /// The document of a world, and the name it runs under.
 fn find(world: &str) -> Result<(String, Document), Refusal> {
     let path = Path::new(world);
-    if path.is_file() {
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| Refusal::bad_input(format!("{world}: cannot be read: {error}")))?;
+    // A pipe will do as well as a file.
+    if path.exists() && !path.is_dir() {
+        let text = std::fs::read_to_string(path).map_err(|error| match error.kind() {
+            ErrorKind::InvalidData => {
+                Refusal::bad_input(format!("{world}: not a text file: it is not UTF-8"))
+            }
+            _ => Refusal::bad_input(format!("{world}: cannot be read: {error}")),
+        })?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         return Ok((name.into_owned(), Document::new(world, text)));
     }
     if let Some(text) = shipped::get(world) {
         return Ok((world.to_owned(), Document::new(world, text)));
     }
+    if path.is_dir() {
+        return Err(Refusal::bad_input(format!("{world}: this is a folder")));
+    }
     let hint = match shipped::nearest(world) {
         Some(near) => format!("did you mean {near}? "),
         None => String::new(),
     };
     Err(Refusal::bad_input(format!(
-        "{world}: neither a world file nor a shipped world; {hint}`volary worlds` lists them"
+        "{world}: neither a file nor a shipped world; {hint}`volary worlds` lists them"
     )))
+}
+
+/// Whether messages are drawn in colour: for a person who did not opt out.
+fn in_color() -> bool {
+    let opted_out = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    std::io::stderr().is_terminal() && !opted_out
 }

@@ -3,6 +3,7 @@
 //! Exit codes: 0 done, 1 failed or stopped, 2 bad input.
 
 mod check;
+mod files;
 mod load;
 mod progress;
 mod run;
@@ -11,13 +12,31 @@ mod summary;
 mod worlds;
 
 use std::fmt::Display;
+use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+const EXAMPLES: &str = "\
+Examples:
+  volary worlds                                        What can be run as it is
+  volary run olfati-saber-2003/six-obstacles           Run a shipped world
+  volary worlds olfati-saber-2003/six-obstacles > my.json
+                                                       Start a world of your own
+  volary check my.json                                 See what is wrong with it
+  volary run my.json --trace my.jsonl.zst              Run it, keep every frame
+
+Exit codes: 0 done, 1 failed or stopped, 2 bad input.";
+
 /// Flocks with bodies: flocking and steering laws as forces on rigid bodies.
 #[derive(Debug, Parser)]
-#[command(name = "volary", version, about, max_term_width = 100)]
+#[command(
+    name = "volary",
+    version,
+    about,
+    max_term_width = 100,
+    after_help = EXAMPLES
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -47,11 +66,11 @@ enum Refusal {
 
 impl Refusal {
     fn failed(message: impl Display) -> Self {
-        Self::Failed(message.to_string())
+        Self::Failed(format!("Error: {message}"))
     }
 
     fn bad_input(message: impl Display) -> Self {
-        Self::BadInput(message.to_string())
+        Self::BadInput(format!("Error: {message}"))
     }
 }
 
@@ -72,12 +91,18 @@ pub fn main() -> ExitCode {
 
 /// The one place that prints errors.
 fn complain(message: &str, code: u8) -> ExitCode {
-    eprintln!("{}", message.trim_end());
+    // Nobody is left to tell where standard error is gone.
+    let _ = writeln!(std::io::stderr(), "{}", message.trim_end());
     ExitCode::from(code)
 }
 
 /// Prints to standard output; a reader that has gone away, such as `head`, is no error.
-fn print(text: &str) {
-    use std::io::Write;
-    let _ = std::io::stdout().write_all(text.as_bytes());
+fn print(text: &str) -> Result<(), Refusal> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Refusal::failed(format!(
+            "cannot write to standard output: {error}"
+        ))),
+        _ => Ok(()),
+    }
 }

@@ -1,42 +1,43 @@
 //! A progress bar for when a person watches.
 
+use std::fmt::Write;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 /// How far a run has come; draws nothing where no person watches.
-pub(super) struct Progress {
-    bar: ProgressBar,
-    total: u64,
-}
-
-/// Steps between updates of the bar, so that drawing never holds up the run.
-const STRIDE: u64 = 64;
+pub(super) struct Progress(ProgressBar);
 
 impl Progress {
-    /// A bar for this many steps, on standard error; hidden where that is no terminal.
-    pub(super) fn new(steps: u64, quiet: bool) -> Self {
+    /// A bar for this many steps of this size, on standard error; hidden where that is
+    /// no terminal.
+    pub(super) fn new(steps: u64, step_size: f64, quiet: bool) -> Self {
         let bar = if quiet {
             ProgressBar::hidden()
         } else {
             ProgressBar::new(steps)
         };
-        let style = ProgressStyle::with_template("{bar:40} t = {msg}  {per_sec} steps, {eta} left");
-        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let style =
+            ProgressStyle::with_template("{bar:40} t = {time}, {speed} steps/s, {eta} left")
+                .unwrap_or_else(|_| ProgressStyle::default_bar())
+                .with_key("time", move |state: &ProgressState, out: &mut dyn Write| {
+                    let _ = write!(out, "{:.2}", state.pos() as f64 * step_size);
+                })
+                .with_key("speed", |state: &ProgressState, out: &mut dyn Write| {
+                    let _ = write!(out, "{:.0}", state.per_sec());
+                });
+        bar.set_style(style);
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self { bar, total: steps }
+        Self(bar)
     }
 
-    /// Shows the state after a step.
-    pub(super) fn show(&self, step: u64, time: f64) {
-        if step.is_multiple_of(STRIDE) || step == self.total {
-            self.bar.set_position(step);
-            self.bar.set_message(format!("{time:.2}"));
-        }
+    /// Counts the steps taken; drawn a few times a second at most.
+    pub(super) fn show(&self, steps: u64) {
+        self.0.set_position(steps);
     }
 
     /// Removes the bar.
     pub(super) fn finish(self) {
-        self.bar.finish_and_clear();
+        self.0.finish_and_clear();
     }
 }

@@ -11,41 +11,55 @@ use volary::dynamics::Engine;
 use volary::shape::In;
 use volary::simulation::Simulation;
 use volary::trace::record::{Outcome, Record, Summary};
-use volary::trace::{TraceError, TraceWriter, write_summary};
+use volary::trace::{TraceWriter, write_summary};
 use volary::world::{AnyWorld, Override, World};
 
 use super::progress::Progress;
-use super::{Refusal, load, print, summary};
+use super::{Refusal, files, load, print, summary};
+
+const EXAMPLES: &str = "\
+Examples:
+  volary run my.json
+  volary run my.json --seed 7 --until 20 --summary seven.json
+  volary run my.json --trace my.jsonl.zst --set record.every=0.05 --set record.edges=true
+
+Ctrl-C stops a run in good order: trace and summary are whole up to there.";
 
 /// Arguments of `volary run`.
 #[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
 pub(super) struct RunArguments {
     /// A world file, or the name of a shipped world
-    world: String,
+    pub(super) world: String,
     /// Seed of every random draw, instead of the world's
-    #[arg(long)]
+    #[arg(long, value_parser = seed, allow_negative_numbers = true)]
     seed: Option<u64>,
-    /// Time to end at, instead of the world's
-    #[arg(long, value_name = "TIME")]
+    /// Time to end at, instead of the world's; a whole number of steps
+    #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
     until: Option<f64>,
     /// Step size, instead of the world's
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
     step: Option<f64>,
-    /// Set any field of the world: laws[0].alpha_interaction.damping=2
+    /// Set any field of the world, as in laws[0].alpha_interaction.damping=2; may be repeated
     #[arg(long, value_name = "PATH=VALUE")]
     set: Vec<String>,
     /// Write the trace to this file: .jsonl or .json, also with .gz or .zst behind
     #[arg(long, value_name = "FILE")]
-    trace: Option<PathBuf>,
+    pub(super) trace: Option<PathBuf>,
     /// Write the summary to this file, as JSON
     #[arg(long, value_name = "FILE")]
-    summary: Option<PathBuf>,
-    /// Threads to compute on; all cores when absent. The result is the same on any number.
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(super) summary: Option<PathBuf>,
+    /// Number of threads, all cores when absent; the result is the same on any number
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u16).range(1..=1024),
+        allow_negative_numbers = true
+    )]
     threads: Option<u16>,
-    /// Overwrite files that exist
+    /// Overwrite a trace or summary that exists
     #[arg(long)]
-    force: bool,
+    pub(super) force: bool,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -61,13 +75,29 @@ impl RunArguments {
         ];
         let settings = named.into_iter().flatten().chain(self.set.iter().cloned());
         settings
-            .map(|setting| setting.parse().map_err(Refusal::bad_input))
+            .map(|setting| {
+                let parsed: Result<Override, _> = setting.parse();
+                parsed.map_err(|error| Refusal::bad_input(format!("--set: {error}")))
+            })
             .collect()
+    }
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    let problem = |_| format!("must be a whole number from 0 to {}", u64::MAX);
+    text.parse().map_err(problem)
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(time) if time.is_finite() => Ok(time),
+        _ => Err("must be a number, and finite".to_owned()),
     }
 }
 
 /// Runs a world, writes what was asked for and prints a summary.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Refusal> {
+    files::check(arguments)?;
     let world = load::load(&arguments.world, arguments.overrides()?)?;
     let threads = usize::from(arguments.threads.unwrap_or(0));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -82,27 +112,26 @@ where
     In<D>: Engine<D>,
 {
     let begin = Instant::now();
-    if let Some(path) = &arguments.summary
-        && path.exists()
-        && !arguments.force
-    {
-        let name = path.display().to_string();
-        return Err(refuse_file(TraceError::Exists { name }));
-    }
-    let mut simulation = Simulation::new(world).map_err(Refusal::failed)?;
+    let stop = stop_on_interrupt();
+    let mut simulation = Simulation::new(world).map_err(|failure| {
+        Refusal::failed(format!("{} cannot start: {failure}", arguments.world))
+    })?;
     let mut writer = match &arguments.trace {
-        Some(path) => Some(TraceWriter::create(path, arguments.force).map_err(refuse_file)?),
+        Some(path) => Some(TraceWriter::create(path, arguments.force).map_err(files::refuse)?),
         None => None,
     };
-    let stop = stop_on_interrupt();
-    let progress = Progress::new(simulation.world().steps(), arguments.quiet);
+    let (steps, step_size) = (
+        simulation.world().steps(),
+        simulation.world().spec.time.step,
+    );
+    let progress = Progress::new(steps, step_size, arguments.quiet);
     let done = simulation.run(
         |record: Record| match &mut writer {
             Some(writer) => writer.write(&record),
             None => Ok(()),
         },
         |state| {
-            progress.show(state.step, state.time);
+            progress.show(state.step);
             if stop.load(Ordering::Relaxed) {
                 ControlFlow::Break(())
             } else {
@@ -116,34 +145,25 @@ where
         writer.finish().map_err(Refusal::failed)?;
     }
     if let Some(path) = &arguments.summary {
-        write_summary(path, &done, arguments.force).map_err(refuse_file)?;
+        write_summary(path, &done, arguments.force).map_err(Refusal::failed)?;
     }
     if !arguments.quiet {
-        print(&summary::table(&done, begin.elapsed()));
+        print(&summary::table(&done, begin.elapsed()))?;
     }
-    judge(&done)
+    judge(&arguments.world, &done)
 }
 
-fn judge(summary: &Summary) -> Result<(), Refusal> {
-    match summary.outcome {
+fn judge(world: &str, done: &Summary) -> Result<(), Refusal> {
+    match done.outcome {
         Outcome::Completed => Ok(()),
-        Outcome::Interrupted => Err(Refusal::failed(format!(
-            "stopped at time {}; what was written is whole up to there",
-            summary.time
+        Outcome::Interrupted => Err(Refusal::Failed(format!(
+            "Stopped at time {}; what was written is whole up to there.",
+            summary::time(done.time)
         ))),
         Outcome::Failed => Err(Refusal::failed(format!(
-            "failed at time {}: {}",
-            summary.time,
-            summary.error.as_deref().unwrap_or("for an unknown reason")
+            "{world} cannot go on: {}",
+            done.error.as_deref().unwrap_or("for an unknown reason")
         ))),
-    }
-}
-
-/// A file that cannot be written where it was asked for is bad input.
-fn refuse_file(error: TraceError) -> Refusal {
-    match error {
-        TraceError::Exists { .. } => Refusal::bad_input(format!("{error}; --force overwrites it")),
-        _ => Refusal::bad_input(error),
     }
 }
 

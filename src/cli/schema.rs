@@ -30,6 +30,5 @@ pub(super) fn schema(arguments: &SchemaArguments) -> Result<(), Refusal> {
         Format::Trace => volary::schema::trace(),
         Format::Summary => volary::schema::summary(),
     };
-    print(&volary::schema::text(&schema));
-    Ok(())
+    print(&volary::schema::text(&schema))
 }

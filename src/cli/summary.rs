@@ -10,13 +10,16 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
     let last = &summary.last;
     let seconds = took.as_secs_f64();
     let mut text = format!(
-        "{}, seed {}: {} agents to time {} in {} steps ({seconds:.2} s)\n\n",
-        summary.name, summary.seed, summary.agents, summary.time, summary.steps
+        "{}, seed {}: {} to time {} in {} ({seconds:.2} s)\n\n",
+        summary.name,
+        summary.seed,
+        plural(summary.agents as u64, "agent"),
+        time(summary.time),
+        plural(summary.steps, "step")
     );
     let mut row = |name: &str, value: String, meaning: &str| {
         let _ = writeln!(text, "  {name:<20}{value:>12}   {meaning}");
     };
-    let number = |value: f64| format!("{value:.4}");
     let maybe = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
     let count = |value: Option<usize>| value.map_or_else(|| "-".to_owned(), |n| n.to_string());
     row(
@@ -73,16 +76,39 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
     text
 }
 
+/// A number in few digits, however large or small.
+fn number(value: f64) -> String {
+    match value.abs() {
+        0.0 | 1e-3..1e7 => format!("{value:.4}"),
+        _ => format!("{value:.4e}"),
+    }
+}
+
 fn contacts(count: &ContactCount) -> String {
     if count.episodes == 0 {
         return "none".to_owned();
     }
     format!(
-        "{} ({} pairs); largest impulse {:.3}, deepest penetration {:.4}, approach up to {:.3}",
+        "{} ({}); largest impulse {}, deepest penetration {}, approach up to {}",
         count.episodes,
-        count.pairs,
-        count.largest_impulse,
-        count.deepest_penetration,
-        count.highest_approach_speed
+        plural(count.pairs, "pair"),
+        number(count.largest_impulse),
+        number(count.deepest_penetration),
+        number(count.highest_approach_speed)
     )
+}
+
+/// A time without the noise in its last digits.
+pub(super) fn time(value: f64) -> f64 {
+    let rounded = (value * 1e9).round() / 1e9;
+    if rounded.is_finite() { rounded } else { value }
+}
+
+/// So many of a thing; "no" of nothing.
+pub(super) fn plural(count: u64, thing: &str) -> String {
+    match count {
+        0 => format!("no {thing}s"),
+        1 => format!("1 {thing}"),
+        _ => format!("{count} {thing}s"),
+    }
 }

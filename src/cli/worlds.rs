@@ -15,25 +15,32 @@ pub(super) struct WorldsArguments {
 /// Lists the shipped worlds, or prints one.
 pub(super) fn worlds(arguments: &WorldsArguments) -> Result<(), Refusal> {
     let Some(name) = &arguments.name else {
-        for name in shipped::names() {
-            print(&format!("{name}\n"));
-            if let Some(description) = shipped::get(&name).and_then(description) {
-                print(&format!("    {description}\n"));
-            }
-        }
-        return Ok(());
+        return print(&list());
     };
     match shipped::get(name) {
         Some(text) => print(text),
         None => {
-            let hint = shipped::nearest(name).map(|near| format!("; did you mean {near}?"));
-            return Err(Refusal::bad_input(format!(
-                "{name}: no shipped world of that name{}",
-                hint.unwrap_or_default()
-            )));
+            let hint = match shipped::nearest(name) {
+                Some(near) => format!("did you mean {near}?"),
+                None => "`volary worlds` lists them".to_owned(),
+            };
+            Err(Refusal::bad_input(format!(
+                "{name}: no shipped world of that name; {hint}"
+            )))
         }
     }
-    Ok(())
+}
+
+/// The shipped worlds, each with what it shows.
+fn list() -> String {
+    let mut text = String::new();
+    for name in shipped::names() {
+        text += &format!("{name}\n");
+        if let Some(description) = shipped::get(&name).and_then(description) {
+            text += &format!("    {description}\n");
+        }
+    }
+    text
 }
 
 fn description(text: &str) -> Option<String> {

@@ -26,6 +26,10 @@ use crate::math::Vector;
 use crate::shape::In;
 use crate::world::World;
 
+/// Positions and speeds from here on end a run: the squares and energies that metrics
+/// sum would overflow.
+const LARGEST: f64 = 1e100;
+
 /// Why a run cannot go on.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Failure {
@@ -42,8 +46,12 @@ pub enum Failure {
         /// The acceleration, printed.
         value: String,
     },
-    /// A body's position or velocity is not finite any more.
-    #[error("the state of agent {agent} became non-finite at time {time}")]
+    /// A body's position or velocity is not finite any more, or so large that its
+    /// metrics would not be.
+    #[error(
+        "the position or velocity of agent {agent} at time {time} is not a number, or too large \
+         to compute with; a smaller step or smaller gains may help"
+    )]
     State {
         /// The agent.
         agent: usize,
@@ -61,6 +69,8 @@ pub struct Bodies<const D: usize> {
     step_size: f64,
     substeps: f64,
     step: u64,
+    /// Positions and velocities of the step that is being taken.
+    next: (Vec<Vector<D>>, Vec<Vector<D>>),
     positions: Vec<Vector<D>>,
     /// Velocities at the time of the positions: those that laws and observers see.
     velocities: Vec<Vector<D>>,
@@ -92,6 +102,7 @@ impl<const D: usize> Bodies<D> {
             step_size: world.spec.time.step,
             substeps: world.spec.physics.solver_iterations as f64,
             step: 0,
+            next: (zeros.clone(), zeros.clone()),
             positions: agents.positions.clone(),
             velocities: agents.velocities.clone(),
             engine_velocities: agents.velocities.clone(),
@@ -113,27 +124,30 @@ impl<const D: usize> Bodies<D> {
         Ok(bodies)
     }
 
-    /// Takes one step.
+    /// Takes one step. One that fails leaves the state before it.
     pub fn step(&mut self, world: &World<D>, flock: &mut Flock<D>) -> Result<(), Failure> {
         self.ask(world, flock);
         self.decide()?;
         self.physics.step(&self.forces);
         self.find_touches();
-        self.step += 1;
-        std::mem::swap(&mut self.wanted, &mut self.wanted_before);
-        self.physics
-            .read(&mut self.positions, &mut self.engine_velocities);
+        let (positions, velocities) = &mut self.next;
+        self.physics.read(positions, &mut self.engine_velocities);
         let lag = 0.5 * self.step_size / self.substeps;
-        for (i, velocity) in self.velocities.iter_mut().enumerate() {
+        for (i, velocity) in velocities.iter_mut().enumerate() {
             *velocity = self.engine_velocities[i] + self.applied[i] * lag;
         }
         for touch in &self.touches {
-            self.velocities[touch.agent] = self.engine_velocities[touch.agent];
+            velocities[touch.agent] = self.engine_velocities[touch.agent];
             if let Touched::Agent(other) = touch.touched {
-                self.velocities[other] = self.engine_velocities[other];
+                velocities[other] = self.engine_velocities[other];
             }
         }
-        self.check_state()
+        self.check_next()?;
+        std::mem::swap(&mut self.positions, &mut self.next.0);
+        std::mem::swap(&mut self.velocities, &mut self.next.1);
+        std::mem::swap(&mut self.wanted, &mut self.wanted_before);
+        self.step += 1;
+        Ok(())
     }
 
     /// The state now.
@@ -235,17 +249,15 @@ impl<const D: usize> Bodies<D> {
         }
     }
 
-    fn check_state(&self) -> Result<(), Failure> {
-        let finite = |i: &usize| {
-            let size = self.positions[*i].norm_squared() + self.velocities[*i].norm_squared();
-            size.is_finite()
-        };
-        let broken = (0..self.positions.len()).find(|i| !finite(i));
+    fn check_next(&self) -> Result<(), Failure> {
+        let (positions, velocities) = &self.next;
+        let sound = |i: &usize| positions[*i].norm() < LARGEST && velocities[*i].norm() < LARGEST;
+        let broken = (0..positions.len()).find(|i| !sound(i));
         match broken.or_else(|| self.physics.lost().first().copied()) {
             None => Ok(()),
             Some(agent) => Err(Failure::State {
                 agent,
-                time: self.time(),
+                time: (self.step + 1) as f64 * self.step_size,
             }),
         }
     }

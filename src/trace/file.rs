@@ -52,20 +52,11 @@ impl Write for TraceFile {
 /// Writes a whole file or none of it: to a neighbour first, which then takes the
 /// name.
 pub(super) fn write_whole(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), TraceError> {
-    let there = fs::metadata(path).ok();
-    if there.as_ref().is_some_and(|data| data.is_dir()) || (there.is_some() && !overwrite) {
-        return Err(explain(path, "create", io::ErrorKind::AlreadyExists.into()));
-    }
-    if there.is_some_and(|data| !data.is_file()) {
+    let Some(path) = to_replace(path, overwrite)? else {
         // A device or a pipe must not be replaced by a file.
         return fs::write(path, bytes).map_err(|e| explain(path, "write", e));
-    }
-    // Through a symbolic link, to the file that it names.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let part = part_of(&path);
-    // Only a crash of a process with the same number can have left it.
-    let _ = fs::remove_file(&part);
-    let mut file = File::create_new(&part).map_err(|e| explain(&path, "create", e))?;
+    };
+    let (part, mut file) = create_part(&path)?;
     let written = file
         .write_all(bytes)
         .and_then(|()| file.sync_all())
@@ -75,6 +66,43 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8], overwrite: bool) -> Result<
         let _ = fs::remove_file(&part);
     }
     written.map_err(|e| explain(&path, "write", e))
+}
+
+/// Whether [`write_whole`] could begin, found out without changing what is there.
+pub(super) fn check_whole(path: &Path, overwrite: bool) -> Result<(), TraceError> {
+    if let Some(path) = to_replace(path, overwrite)? {
+        let (part, _) = create_part(&path)?;
+        // Best effort: the next process with the same number removes it as well.
+        let _ = fs::remove_file(part);
+    }
+    Ok(())
+}
+
+/// The file that a new one may take the place of; none for a device or a pipe, which
+/// is written to as it is.
+fn to_replace(path: &Path, overwrite: bool) -> Result<Option<PathBuf>, TraceError> {
+    let there = fs::metadata(path).ok();
+    // A link that leads nowhere is something as well.
+    let taken = fs::symlink_metadata(path).is_ok();
+    if there.as_ref().is_some_and(|data| data.is_dir()) || (taken && !overwrite) {
+        return Err(explain(path, "create", io::ErrorKind::AlreadyExists.into()));
+    }
+    if there.is_some_and(|data| !data.is_file()) {
+        return Ok(None);
+    }
+    // Through a symbolic link, to the file that it names.
+    Ok(Some(
+        fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()),
+    ))
+}
+
+/// Creates the neighbour that a whole file is written to first.
+fn create_part(path: &Path) -> Result<(PathBuf, File), TraceError> {
+    let part = part_of(path);
+    // Only a crash of a process with the same number can have left it.
+    let _ = fs::remove_file(&part);
+    let file = File::create_new(&part).map_err(|e| explain(path, "create", e))?;
+    Ok((part, file))
 }
 
 /// A neighbour's name that no other process uses.

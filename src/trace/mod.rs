@@ -63,5 +63,5 @@ pub use file::TraceFile;
 pub use format::{Compression, Format, Layout};
 pub use reader::TraceReader;
 pub use record::Record;
-pub use summary::write_summary;
+pub use summary::{check_summary, write_summary};
 pub use writer::TraceWriter;

@@ -5,6 +5,12 @@ use std::path::Path;
 use super::record::Summary;
 use super::{TraceError, file, finite};
 
+/// Finds out whether a summary could be written to this file now, without changing
+/// what is there: better before a run than after it.
+pub fn check_summary(path: &Path, overwrite: bool) -> Result<(), TraceError> {
+    file::check_whole(path, overwrite)
+}
+
 /// Writes a summary to a file of its own, as one JSON object. The file appears
 /// whole or not at all; an existing one is refused without `overwrite`.
 pub fn write_summary(path: &Path, summary: &Summary, overwrite: bool) -> Result<(), TraceError> {

@@ -1,0 +1,12 @@
+//! The command as its users meet it: what it prints, writes, refuses and returns.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod content;
+mod determinism;
+mod files;
+mod input;
+mod scene;
+#[cfg(unix)]
+mod signals;
