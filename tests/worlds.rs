@@ -101,10 +101,11 @@ where
 /// Nothing touched an obstacle, nobody stayed behind, and the flock is one again.
 fn assert_rejoined(runs: &[Passage], diameter: f64, agent_contacts: u64) {
     for run in runs {
-        assert_eq!(run.obstacle_contacts, 0, "{run:?}");
-        assert_eq!(run.left_behind, 0, "{run:?}");
-        assert!(run.diameter < diameter, "{run:?}");
-        assert!(run.density >= 0.9, "{run:?}");
+        let seed = run.seed;
+        assert_eq!(run.obstacle_contacts, 0, "seed {seed}: {run:?}");
+        assert_eq!(run.left_behind, 0, "seed {seed}: {run:?}");
+        assert!(run.diameter < diameter, "seed {seed}: {run:?}");
+        assert!(run.density >= 0.9, "seed {seed}: {run:?}");
     }
     let mean = runs.iter().map(|run| run.density).sum::<f64>() / runs.len() as f64;
     assert!(mean >= 0.97, "mean density {mean}: {runs:?}");
