@@ -91,11 +91,10 @@ impl<const D: usize> Simulation<D> {
                 break;
             }
         }
+        // A step that failed left the state before it, but not the engine's.
+        record(Record::Frame(self.frame()))?;
         let overlaps = match &end {
-            Ok(_) => {
-                record(Record::Frame(self.frame()))?;
-                self.bodies.touches_now()
-            }
+            Ok(_) => self.bodies.touches_now(),
             Err(_) => Vec::new(),
         };
         let rest = self.ledger.close(self.snapshot().time, &overlaps);

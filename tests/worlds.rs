@@ -79,7 +79,9 @@ where
     /// Largest deviation from the target velocity, of 10.
     const ASTRAY: f64 = 0.5;
 
-    let target = world.target_velocity().expect("a flock with a velocity");
+    let target = world
+        .navigation_velocity()
+        .expect("a flock with a velocity");
     let simulation = to_the_end(world, watch);
     let state = simulation.snapshot();
     let metrics = simulation.metrics();

@@ -53,12 +53,12 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
     row(
         "smallest agent gap",
         maybe(summary.smallest_agent_gap),
-        "between surfaces, whole run",
+        "between surfaces, at frames and contacts",
     );
     row(
         "smallest obst. gap",
         maybe(summary.smallest_obstacle_gap),
-        "between surfaces, whole run",
+        "between surfaces, at frames and contacts",
     );
     if summary.force_cuts > 0 {
         row(

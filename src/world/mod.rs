@@ -25,7 +25,7 @@ pub use document::Document;
 pub use problem::Problem;
 pub use report::Report;
 pub use resolve::{Agents, AnyWorld, World};
-pub use set::Override;
+pub use set::{Override, OverrideError};
 
 use crate::math::Vector;
 

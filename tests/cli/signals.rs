@@ -99,17 +99,24 @@ fn a_reader_that_goes_away_is_no_error() {
 
 #[test]
 fn a_world_that_goes_out_of_bounds_fails_with_a_whole_trace() {
-    let wild = |gain: f64, step: f64| {
+    let wild = |law: usize, name: &str, gains: &[(&str, f64)]| {
         let mut world = crowd(2);
-        world["laws"][2]["navigation"]["velocity_gain"] = json!(gain);
-        world["laws"][2]["navigation"]["feedback"] = json!("linear");
-        world["time"] = json!({ "step": step, "end": 100.0 * step });
-        world["record"] = json!({ "every": step });
+        for (gain, value) in gains {
+            world["laws"][law][name][gain] = json!(value);
+        }
+        world["time"] = json!({ "step": 0.1, "end": 10.0 });
+        world["record"] = json!({ "every": 0.1 });
         world
     };
+    let damping = wild(
+        0,
+        "alpha_interaction",
+        &[("damping", 1e6), ("range", 1e120)],
+    );
+    let push = |gain: f64| wild(2, "navigation", &[("velocity_gain", gain)]);
     // The first outgrows what the laws may ask for, the second the positions.
-    for (gain, step, says) in [(1e6, 0.1, "a smaller step"), (1e152, 10.0, "too large")] {
-        let scene = Scene::with(&wild(gain, step));
+    for (world, says) in [(damping, "a smaller step"), (push(1e150), "too large")] {
+        let scene = Scene::with(&world);
         scene.fails(
             "run w.json --quiet --trace t.jsonl --summary s.json",
             1,
@@ -121,7 +128,7 @@ fn a_world_that_goes_out_of_bounds_fails_with_a_whole_trace() {
         assert_eq!(json(&scene.path("s.json"))["outcome"], "failed");
         assert!(!scene.frames("t.jsonl").is_empty());
     }
-    let scene = Scene::with(&wild(1e300, 0.1));
+    let scene = Scene::with(&push(1e300));
     let arguments = "run w.json --trace t.jsonl --summary s.json";
     scene.fails(arguments, 1, &["Error: w.json cannot start: ", "agent 0"]);
     assert_eq!(
