@@ -9,8 +9,8 @@ use crate::metric::{Ledger, Net, measure};
 use crate::sense::active_obstacles;
 use crate::shape::In;
 use crate::trace::record::{
-    BetaAgent, Bodies as BodyProperties, FORMAT, Frame, Header, LawAccelerations, Metrics, Outcome,
-    Record, Summary, VERSION,
+    BetaAgent, Bodies as BodyProperties, Contact, FORMAT, Frame, Header, LawAccelerations, Metrics,
+    Outcome, Record, Summary, VERSION,
 };
 use crate::world::World;
 
@@ -92,7 +92,10 @@ impl<const D: usize> Simulation<D> {
             }
         }
         // A step that failed left the state before it, but not the engine's.
-        record(Record::Frame(self.frame()))?;
+        let recorded = end.is_err() && self.snapshot().step.is_multiple_of(frame_steps);
+        if !recorded {
+            record(Record::Frame(self.frame()))?;
+        }
         let overlaps = match &end {
             Ok(_) => self.bodies.touches_now(),
             Err(_) => Vec::new(),
@@ -109,7 +112,7 @@ impl<const D: usize> Simulation<D> {
     ///
     /// # Errors
     /// Where the state or the laws are no longer finite.
-    pub fn step(&mut self) -> Result<Vec<crate::trace::record::Contact>, Failure> {
+    pub fn step(&mut self) -> Result<Vec<Contact>, Failure> {
         let begin = self.snapshot().time;
         self.bodies.step(&self.world, &mut self.flock)?;
         Ok(self

@@ -126,7 +126,11 @@ fn a_world_that_goes_out_of_bounds_fails_with_a_whole_trace() {
         assert_eq!(summary.outcome, Outcome::Failed);
         assert!(summary.error.unwrap().contains(says));
         assert_eq!(json(&scene.path("s.json"))["outcome"], "failed");
-        assert!(!scene.frames("t.jsonl").is_empty());
+        let steps: Vec<u64> = scene.frames("t.jsonl").iter().map(|f| f.step).collect();
+        assert!(
+            !steps.is_empty() && steps.windows(2).all(|pair| pair[0] < pair[1]),
+            "{steps:?}"
+        );
     }
     let scene = Scene::with(&push(1e300));
     let arguments = "run w.json --trace t.jsonl --summary s.json";
