@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! volary run olfati-saber-2003/six-obstacles --set record.edges=true --trace run.jsonl
-//! cargo run --release --example draw -- run.jsonl picture.svg 0 8.5 17 29 44
+//! cargo run --release --example draw -- run.jsonl picture.svg 0 8.5 17 28
 //! ```
 //! Bodies and obstacles (balls, cuboids and convex polygons) are drawn at true size, the
 //! edges of the proximity net where the trace has them.

@@ -8,10 +8,10 @@ use crate::sense::{Cells, Scene};
 use crate::shape::Obstacle;
 
 /// Agents handled in one go; few enough to spread over threads, enough to be worth it.
-const CHUNK: usize = 256;
+const CHUNK: usize = 128;
 
 /// Below this many agents, handing work to other threads costs more than it saves.
-const PARALLEL_FROM: usize = 2_000;
+const PARALLEL_FROM: usize = 500;
 
 /// The sum of some laws, with the neighbour search that they share.
 pub struct Flock<const D: usize> {
