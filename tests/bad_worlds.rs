@@ -35,7 +35,7 @@ fn bad_worlds_say_what_is_wrong() {
     for path in worlds {
         let name = path.file_name().unwrap().to_str().unwrap();
         let document = Document::new(name, fs::read_to_string(&path).unwrap());
-        let report = document.spec().expect_err(name);
+        let report = document.world("bad").expect_err(name);
         let message = format!("{report}\n");
         if show {
             println!("{}", report.render(true));
@@ -64,7 +64,7 @@ fn bad_worlds_say_what_is_wrong() {
 fn every_shipped_world_reads() {
     for name in shipped::names() {
         let document = Document::new(name.as_str(), shipped::get(&name).unwrap());
-        if let Err(report) = document.spec() {
+        if let Err(report) = document.world(name.as_str()) {
             panic!("{report}");
         }
     }

@@ -269,7 +269,8 @@ fn onto<const D: usize>(q: &Vector<D>, faces: &[&Face<D>], fallback: Vector<D>) 
     Projection {
         point,
         normal,
-        distance: if outside { reach } else { -reach },
+        // Subtracted, for a distance of −0 would puzzle whoever reads it.
+        distance: if outside { reach } else { 0.0 - reach },
         core_map,
         stretch: 0.0,
     }

@@ -8,24 +8,39 @@ use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
 use crate::world::spec::{GroupSpec, PlacementSpec};
 use crate::world::vector;
+use crate::world::words::number;
 
 /// Draws for one agent before a random placement gives up. Random sequential placement
 /// fills about half of a region before such a number of draws fails.
 const DRAWS: usize = 20_000;
 
-/// The agents placed so far, in cells of a fixed size.
+/// Bodies that touch exactly may seem to overlap by rounding; this share of the distance
+/// at which they touch is forgiven.
+const ROUNDING: f64 = 1e-9;
+
+/// The agents placed so far, in cells of a fixed size. Only bodies in nobody's way are
+/// there, so that cells stay sparse even where a file lists all agents at one place.
 pub(super) struct Placement<'a, const D: usize> {
     obstacles: &'a [Obstacle<D>],
     side: f64,
-    cells: HashMap<[i64; D], Vec<usize>>,
-    positions: Vec<Vector<D>>,
-    radii: Vec<f64>,
+    cells: HashMap<[i64; D], Vec<Placed<D>>>,
+}
+
+/// A body that has its place.
+#[derive(Clone, Copy)]
+struct Placed<const D: usize> {
+    group: usize,
+    /// Index within the group.
+    index: usize,
+    listed: bool,
+    radius: f64,
+    position: Vector<D>,
 }
 
 /// What keeps an agent from a place.
-enum Conflict {
-    Agent(usize),
-    Obstacle(usize),
+enum Conflict<'a, const D: usize> {
+    Agent(Placed<D>),
+    Obstacle(usize, &'a Obstacle<D>),
 }
 
 impl<'a, const D: usize> Placement<'a, D> {
@@ -39,146 +54,174 @@ impl<'a, const D: usize> Placement<'a, D> {
             obstacles,
             side: widest.chain(separations).fold(f64::MIN_POSITIVE, f64::max),
             cells: HashMap::new(),
-            positions: Vec::new(),
-            radii: Vec::new(),
         }
     }
 
-    /// Places all agents of a group and returns their positions.
+    /// Places all agents of a group and returns their positions, or what is in the way of
+    /// every one that a list puts in an impossible place.
     pub(super) fn place(
         &mut self,
         index: usize,
         group: &GroupSpec,
         count: usize,
         seed: u64,
-    ) -> Result<Vec<Vector<D>>, Problem> {
-        let first = self.positions.len();
-        let path = format!("agents[{index}].positions");
+    ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         let mut random = Random::new(seed, Purpose::Positions(index));
         match &group.positions {
-            PlacementSpec::Explicit(positions) => {
-                for (k, position) in positions.iter().enumerate() {
-                    let position = vector(position);
-                    if let Some(conflict) = self.conflict(&position, group.radius, 0.0, first) {
-                        return Err(Problem::new(
-                            format!("{path}.explicit[{k}]"),
-                            self.describe(&conflict, &position, group.radius),
-                        ));
-                    }
-                    self.insert(position, group.radius);
-                }
-            }
+            PlacementSpec::Explicit(positions) => self.list(index, group, positions),
             PlacementSpec::Box(region) => {
                 let (min, max) = (vector(&region.min), vector(&region.max));
-                let apart = region.separation.unwrap_or(0.0);
-                self.draw(&format!("{path}.box"), group, count, apart, || {
-                    random.in_box(&min, &max)
-                })?;
+                self.draw(index, group, count, "box", || random.in_box(&min, &max))
             }
             PlacementSpec::Ball(region) => {
                 let center = vector(&region.center);
-                let apart = region.separation.unwrap_or(0.0);
-                self.draw(&format!("{path}.ball"), group, count, apart, || {
-                    random.in_ball(&center, region.radius)
-                })?;
+                let candidate = || random.in_ball(&center, region.radius);
+                self.draw(index, group, count, "ball", candidate)
             }
         }
-        Ok(self.positions[first..].to_vec())
+    }
+
+    fn list(
+        &mut self,
+        group_index: usize,
+        group: &GroupSpec,
+        positions: &[Vec<f64>],
+    ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
+        let mut problems = Vec::new();
+        let mut places = Vec::new();
+        for (index, position) in positions.iter().enumerate() {
+            let body = Placed {
+                group: group_index,
+                index,
+                listed: true,
+                radius: group.radius,
+                position: vector(position),
+            };
+            match self.conflict(&body, 0.0) {
+                Some(conflict) => problems.push(Problem::new(name(&body), conflict.with(&body))),
+                None => self.insert(body),
+            }
+            places.push(body.position);
+        }
+        if problems.is_empty() {
+            Ok(places)
+        } else {
+            Err(problems)
+        }
     }
 
     fn draw(
         &mut self,
-        path: &str,
+        group_index: usize,
         group: &GroupSpec,
         count: usize,
-        apart: f64,
+        kind: &str,
         mut candidate: impl FnMut() -> Vector<D>,
-    ) -> Result<(), Problem> {
-        let first = self.positions.len();
-        for placed in 0..count {
-            let place = (0..DRAWS)
-                .map(|_| candidate())
-                .find(|place| self.conflict(place, group.radius, apart, first).is_none());
-            let Some(place) = place else {
-                let distance = apart.max(2.0 * group.radius);
-                return Err(Problem::new(
-                    path,
+    ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
+        let apart = separation(&group.positions).unwrap_or(0.0);
+        let mut places = Vec::new();
+        for index in 0..count {
+            let body = |position| Placed {
+                group: group_index,
+                index,
+                listed: false,
+                radius: group.radius,
+                position,
+            };
+            let mut draws = (0..DRAWS).map(|_| body(candidate()));
+            let Some(body) = draws.find(|body| self.conflict(body, apart).is_none()) else {
+                let distance = number(apart.max(2.0 * group.radius));
+                let problem = Problem::new(
+                    format!("agents[{group_index}].positions.{kind}"),
                     format!(
-                        "has room for {placed} of the {count} agents only, {distance} apart and \
+                        "has room for {index} of the {count} agents only, {distance} apart and \
                          clear of obstacles and other groups (after {DRAWS} draws for the next one)"
                     ),
-                )
-                .hint("a larger region, fewer agents or a smaller separation"));
+                );
+                let hint = "a larger region, fewer agents or a smaller separation may help";
+                return Err(vec![problem.hint(hint)]);
             };
-            self.insert(place, group.radius);
+            self.insert(body);
+            places.push(body.position);
         }
-        Ok(())
+        Ok(places)
     }
 
-    /// What is in the way of a body at `place`: another body closer than touching, an
-    /// agent of the same group (from `first` on) closer than `apart`, or an obstacle.
-    fn conflict(
-        &self,
-        place: &Vector<D>,
-        radius: f64,
-        apart: f64,
-        first: usize,
-    ) -> Option<Conflict> {
-        let cell = self.cell(place);
+    /// What is in the way of a body: another body closer than touching, an agent of the
+    /// same group closer than `apart`, or an obstacle.
+    fn conflict(&self, body: &Placed<D>, apart: f64) -> Option<Conflict<'a, D>> {
+        let cell = self.cell(&body.position);
         for shift in 0..3usize.pow(D as u32) {
             let near: [i64; D] = std::array::from_fn(|axis| {
                 let step = (shift / 3usize.pow(axis as u32) % 3) as i64 - 1;
                 cell[axis].saturating_add(step)
             });
-            for &other in self.cells.get(&near).into_iter().flatten() {
-                let touching = radius + self.radii[other];
-                let least = if other >= first {
+            for other in self.cells.get(&near).into_iter().flatten() {
+                let touching = (body.radius + other.radius) * (1.0 - ROUNDING);
+                let least = if other.group == body.group {
                     touching.max(apart)
                 } else {
                     touching
                 };
-                if (self.positions[other] - place).norm() < least {
-                    return Some(Conflict::Agent(other));
+                if (other.position - body.position).norm() < least {
+                    return Some(Conflict::Agent(*other));
                 }
             }
         }
+        let touching = body.radius * (1.0 - ROUNDING);
         let blocks = |obstacle: &Obstacle<D>| {
-            obstacle.may_reach(place, radius) && obstacle.project(place).distance < radius
+            obstacle.may_reach(&body.position, body.radius)
+                && obstacle.project(&body.position).distance < touching
         };
-        self.obstacles
-            .iter()
-            .position(blocks)
-            .map(Conflict::Obstacle)
+        let index = self.obstacles.iter().position(blocks)?;
+        Some(Conflict::Obstacle(index, &self.obstacles[index]))
     }
 
-    fn describe(&self, conflict: &Conflict, place: &Vector<D>, radius: f64) -> String {
-        match *conflict {
-            Conflict::Agent(other) => format!(
-                "lies {} from agent {other}: bodies of radius {radius} and {} overlap there",
-                (self.positions[other] - place).norm(),
-                self.radii[other]
-            ),
-            Conflict::Obstacle(index) => format!(
-                "overlaps obstacle {index} ({}): its surface is {} from the body's centre, whose \
-                 radius is {radius}",
-                self.obstacles[index].name,
-                self.obstacles[index].project(place).distance
-            ),
-        }
-    }
-
-    fn insert(&mut self, place: Vector<D>, radius: f64) {
-        let cell = self.cell(&place);
-        self.cells
-            .entry(cell)
-            .or_default()
-            .push(self.positions.len());
-        self.positions.push(place);
-        self.radii.push(radius);
+    fn insert(&mut self, body: Placed<D>) {
+        let cell = self.cell(&body.position);
+        self.cells.entry(cell).or_default().push(body);
     }
 
     fn cell(&self, place: &Vector<D>) -> [i64; D] {
         std::array::from_fn(|axis| (place[axis] / self.side).floor() as i64)
+    }
+}
+
+impl<const D: usize> Conflict<'_, D> {
+    /// What is wrong with a body that conflicts so.
+    fn with(&self, body: &Placed<D>) -> String {
+        match self {
+            Self::Agent(other) => match (other.position - body.position).norm() {
+                0.0 => format!("is the same place as {}", name(other)),
+                apart => format!(
+                    "overlaps {}: their centres are {} apart, their radii add up to {}",
+                    name(other),
+                    number(apart),
+                    number(body.radius + other.radius)
+                ),
+            },
+            Self::Obstacle(index, obstacle) => {
+                let distance = obstacle.project(&body.position).distance;
+                let place = match distance < 0.0 {
+                    true => format!("{} inside its surface", number(-distance)),
+                    false => format!("{} from its surface", number(distance)),
+                };
+                format!(
+                    "overlaps obstacles[{index}], {}: the centre is {place}, the radius is {}",
+                    obstacle.name,
+                    number(body.radius)
+                )
+            }
+        }
+    }
+}
+
+/// What messages call an agent: its place in the file, where it has one.
+fn name<const D: usize>(body: &Placed<D>) -> String {
+    let (group, index) = (body.group, body.index);
+    match body.listed {
+        true => format!("agents[{group}].positions.explicit[{index}]"),
+        false => format!("agent {index} of agents[{group}]"),
     }
 }
 
@@ -187,5 +230,59 @@ fn separation(positions: &PlacementSpec) -> Option<f64> {
         PlacementSpec::Explicit(_) => None,
         PlacementSpec::Box(region) => region.separation,
         PlacementSpec::Ball(region) => region.separation,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn problems<const D: usize>(radius: f64, positions: &[Vec<f64>]) -> Vec<Problem> {
+        let group = json!({ "radius": radius, "positions": { "explicit": positions } });
+        let group: GroupSpec = serde_json::from_value(group).unwrap();
+        let groups = std::slice::from_ref(&group);
+        let placed = Placement::<D>::new(groups, &[]).place(0, &group, positions.len(), 1);
+        placed.err().unwrap_or_default()
+    }
+
+    #[test]
+    fn bodies_may_touch() {
+        let row: Vec<_> = (0..50).map(|i| vec![0.1 * f64::from(i), -0.3]).collect();
+        assert_eq!(problems::<2>(0.05, &row), []);
+        assert_eq!(problems::<2>(0.0501, &row).len(), 25);
+    }
+
+    fn agrees_with_brute_force<const D: usize>() {
+        // Points of a low-discrepancy sequence, dense enough for some overlaps.
+        let share = |i: usize, axis: usize| (i as f64 * [0.7549, 0.5698, 0.3319][axis]).fract();
+        let point = |i| (0..D).map(|axis| 4.0 * share(i, axis) - 2.0).collect();
+        let points: Vec<Vec<f64>> = (0..300).map(point).collect();
+        let (mut free, mut expected): (Vec<Vector<D>>, _) = (Vec::new(), Vec::new());
+        for (i, point) in points.iter().enumerate() {
+            let point = vector(point);
+            if free.iter().any(|other| (other - point).norm() < 0.3) {
+                expected.push(format!("agents[0].positions.explicit[{i}]"));
+            } else {
+                free.push(point);
+            }
+        }
+        let found = problems::<D>(0.15, &points);
+        let found: Vec<String> = found.into_iter().map(|one| one.path).collect();
+        assert!(!expected.is_empty() && expected.len() < 300);
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn finds_every_overlap() {
+        agrees_with_brute_force::<2>();
+        agrees_with_brute_force::<3>();
+    }
+
+    #[test]
+    fn survives_extreme_places() {
+        let far = [vec![1e100, -1e100], vec![1e100, -1e100], vec![-1e100, 0.0]];
+        assert_eq!(problems::<2>(1e-300, &far).len(), 1);
     }
 }

@@ -115,7 +115,7 @@ where
             let count = group.count.unwrap_or(0);
             match placement.place(index, group, count, spec.seed) {
                 Ok(positions) => agents.positions.extend(positions),
-                Err(problem) => problems.push(problem),
+                Err(found) => problems.extend(found),
             }
             agents
                 .velocities

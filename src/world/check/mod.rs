@@ -4,7 +4,6 @@
 
 mod law;
 mod obstacle;
-mod overlap;
 
 use super::problem::Problem;
 use super::spec::*;
@@ -53,7 +52,6 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     for (index, law) in world.laws.iter().enumerate() {
         check.law(&format!("laws[{index}]"), law, &world.laws);
     }
-    check.problems.extend(overlap::problems(world));
     check.problems
 }
 
