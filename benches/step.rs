@@ -7,8 +7,8 @@
 use std::time::Instant;
 
 use serde_json::json;
-use volary::dynamics::{Bodies, Engine};
-use volary::law::{Flock, State, build};
+use volary::dynamics::{Bodies, Drive, Engine};
+use volary::law::{Flock, build};
 use volary::shape::In;
 use volary::world::World;
 
@@ -75,29 +75,26 @@ where
     let mut flock = Flock::new(build(&world));
     let mut bodies = Bodies::new(&world, &mut flock).expect("a finite start");
     let mut engine = <In<D> as Engine<D>>::physics(&world);
+    let still = Drive {
+        forces: &[],
+        obstacles: &world.obstacles,
+    };
     let steps = (200_000 / agents).clamp(5, 1_000);
     for _ in 0..steps.min(100) {
-        bodies.step(&world, &mut flock).expect("a finite state");
-        engine.step(&[]);
+        bodies.step(&mut flock).expect("a finite state");
+        engine.step(still);
     }
     let (mut whole, mut bare, mut laws) = (Vec::new(), Vec::new(), Vec::new());
     let mut out = vec![volary::math::Vector::zeros(); agents];
     for _ in 0..ROUNDS {
         whole.push(seconds(|| {
-            (0..steps).for_each(|_| bodies.step(&world, &mut flock).expect("a finite state"));
+            (0..steps).for_each(|_| bodies.step(&mut flock).expect("a finite state"));
         }));
         // Forces of nothing: the engine's step alone.
-        bare.push(seconds(|| (0..steps).for_each(|_| engine.step(&[]))));
+        bare.push(seconds(|| (0..steps).for_each(|_| engine.step(still))));
         laws.push(seconds(|| {
             for _ in 0..steps {
-                let state = bodies.snapshot();
-                let state = State {
-                    time: state.time,
-                    positions: state.positions,
-                    velocities: state.velocities,
-                    obstacles: &world.obstacles,
-                };
-                flock.accelerations(&state, &mut out);
+                flock.accelerations(&bodies.state(), &mut out);
             }
         }));
     }

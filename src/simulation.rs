@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::dynamics::{Bodies, Engine, Failure, Snapshot};
-use crate::law::{Flock, Law, State, build};
+use crate::law::{Flock, Law, build};
 use crate::math::Vector;
 use crate::metric::{Ledger, Net, measure};
 use crate::sense::active_obstacles;
@@ -114,7 +114,7 @@ impl<const D: usize> Simulation<D> {
     /// Where the state or the laws are no longer finite.
     pub fn step(&mut self) -> Result<Vec<Contact>, Failure> {
         let begin = self.snapshot().time;
-        self.bodies.step(&self.world, &mut self.flock)?;
+        self.bodies.step(&mut self.flock)?;
         Ok(self
             .ledger
             .enter(begin, self.snapshot().time, self.bodies.touches()))
@@ -169,12 +169,6 @@ impl<const D: usize> Simulation<D> {
         keep_least(&mut self.smallest_obstacle_gap, metrics.obstacle_gap);
         let state = self.bodies.snapshot();
         let world = &self.world;
-        let seen = State {
-            time: state.time,
-            positions: state.positions,
-            velocities: state.velocities,
-            obstacles: &world.obstacles,
-        };
         Frame {
             step: state.step,
             time: state.time,
@@ -183,7 +177,7 @@ impl<const D: usize> Simulation<D> {
             metrics: world.spec.record.metrics.then_some(metrics),
             accelerations: world.spec.record.accelerations.then(|| {
                 self.flock
-                    .by_law(&seen)
+                    .by_law(&self.bodies.state())
                     .into_iter()
                     .map(|(law, values)| LawAccelerations {
                         law,
@@ -194,7 +188,7 @@ impl<const D: usize> Simulation<D> {
             beta_agents: world
                 .beta_range()
                 .filter(|_| world.spec.record.beta_agents)
-                .map(|range| beta_agents(world, &state, range)),
+                .map(|range| beta_agents(&state, range)),
             edges: world
                 .alpha_interaction()
                 .filter(|_| world.spec.record.edges)
@@ -231,13 +225,9 @@ impl<const D: usize> Simulation<D> {
     }
 }
 
-fn beta_agents<const D: usize>(
-    world: &World<D>,
-    state: &Snapshot<'_, D>,
-    range: f64,
-) -> Vec<BetaAgent> {
+fn beta_agents<const D: usize>(state: &Snapshot<'_, D>, range: f64) -> Vec<BetaAgent> {
     let of_agent = |agent: usize| {
-        active_obstacles(&world.obstacles, &state.positions[agent], range).map(move |active| {
+        active_obstacles(state.obstacles, &state.positions[agent], range).map(move |active| {
             BetaAgent {
                 agent,
                 obstacle: active.obstacle,

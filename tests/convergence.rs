@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Flow, flock_world, order, world};
+use common::{Flow, flock_world, headings, order, world};
 use volary::dynamics::Engine;
 use volary::law::{Flock, State, build};
 use volary::math::Vector;
@@ -27,6 +27,8 @@ fn reference<const D: usize>(world: &World<D>, steps: usize) -> Flow<D> {
             time,
             positions: &state.0,
             velocities: &state.1,
+            headings: &headings(&state.1),
+            groups: &world.agents.group,
             obstacles: &world.obstacles,
         };
         flock.accelerations(&seen, &mut acceleration);

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{flock_world, spec, world};
+use common::{flock_world, headings, spec, world};
 use proptest::prelude::*;
 use serde_json::json;
 use volary::law::{Flock, State, build};
@@ -31,6 +31,8 @@ fn accelerations<const D: usize>(
         time: 0.0,
         positions,
         velocities,
+        headings: &headings(velocities),
+        groups: &world.agents.group,
         obstacles,
     };
     flock.accelerations(&state, &mut out);

@@ -20,10 +20,10 @@
 
 use thiserror::Error;
 
-use crate::dynamics::{Engine, Physics, Snapshot, Touch, Touched};
+use crate::dynamics::{Drive, Engine, Physics, Snapshot, Touch, Touched};
 use crate::law::{Flock, State};
-use crate::math::Vector;
-use crate::shape::In;
+use crate::math::{Vector, axis, direction};
+use crate::shape::{In, Obstacle};
 use crate::world::World;
 
 /// Positions and speeds from here on end a run: the squares and energies that metrics
@@ -63,6 +63,7 @@ pub enum Failure {
 /// Agents as rigid bodies.
 pub struct Bodies<const D: usize> {
     physics: Box<dyn Physics<D>>,
+    groups: Vec<usize>,
     masses: Vec<f64>,
     force_limits: Vec<f64>,
     gravity: Vector<D>,
@@ -74,6 +75,10 @@ pub struct Bodies<const D: usize> {
     positions: Vec<Vector<D>>,
     /// Velocities at the time of the positions: those that laws and observers see.
     velocities: Vec<Vector<D>>,
+    /// Where the velocities point, or last pointed.
+    headings: Vec<Vector<D>>,
+    /// The obstacles where they are now, and where they will be at the end of the step.
+    obstacles: Vec<Obstacle<D>>,
     /// Velocities as the engine has them, half a substep behind.
     engine_velocities: Vec<Vector<D>>,
     /// What the laws ask for now, and what they asked for a step ago.
@@ -96,6 +101,7 @@ impl<const D: usize> Bodies<D> {
         let zeros = vec![Vector::zeros(); agents.len()];
         let mut bodies = Self {
             physics: <In<D> as Engine<D>>::physics(world),
+            groups: agents.group.clone(),
             masses: agents.mass.clone(),
             force_limits: agents.force_limit.clone(),
             gravity: world.gravity,
@@ -105,6 +111,8 @@ impl<const D: usize> Bodies<D> {
             next: (zeros.clone(), zeros.clone()),
             positions: agents.positions.clone(),
             velocities: agents.velocities.clone(),
+            headings: vec![axis(0); agents.len()],
+            obstacles: world.obstacles.clone(),
             engine_velocities: agents.velocities.clone(),
             wanted: zeros.clone(),
             wanted_before: zeros.clone(),
@@ -113,8 +121,9 @@ impl<const D: usize> Bodies<D> {
             touches: Vec::new(),
             force_cuts: 0,
         };
+        bodies.turn();
         // Set the engine's velocities back by half a substep.
-        bodies.ask(world, flock);
+        bodies.ask(flock);
         bodies.decide()?;
         bodies.force_cuts = 0;
         for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
@@ -125,10 +134,13 @@ impl<const D: usize> Bodies<D> {
     }
 
     /// Takes one step. One that fails leaves the state before it.
-    pub fn step(&mut self, world: &World<D>, flock: &mut Flock<D>) -> Result<(), Failure> {
-        self.ask(world, flock);
+    pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
+        self.ask(flock);
         self.decide()?;
-        self.physics.step(&self.forces);
+        self.physics.step(Drive {
+            forces: &self.forces,
+            obstacles: &self.obstacles,
+        });
         self.find_touches();
         let (positions, velocities) = &mut self.next;
         self.physics.read(positions, &mut self.engine_velocities);
@@ -147,6 +159,7 @@ impl<const D: usize> Bodies<D> {
         std::mem::swap(&mut self.velocities, &mut self.next.1);
         std::mem::swap(&mut self.wanted, &mut self.wanted_before);
         self.step += 1;
+        self.turn();
         Ok(())
     }
 
@@ -157,6 +170,8 @@ impl<const D: usize> Bodies<D> {
             time: self.time(),
             positions: &self.positions,
             velocities: &self.velocities,
+            headings: &self.headings,
+            obstacles: &self.obstacles,
         }
     }
 
@@ -190,14 +205,32 @@ impl<const D: usize> Bodies<D> {
         self.step as f64 * self.step_size
     }
 
-    fn ask(&mut self, world: &World<D>, flock: &mut Flock<D>) {
-        let state = State {
+    /// The state now, as laws see it.
+    pub fn state(&self) -> State<'_, D> {
+        State {
             time: self.time(),
             positions: &self.positions,
             velocities: &self.velocities,
-            obstacles: &world.obstacles,
-        };
-        flock.accelerations(&state, &mut self.wanted);
+            headings: &self.headings,
+            groups: &self.groups,
+            obstacles: &self.obstacles,
+        }
+    }
+
+    /// Turns the headings along the velocities; a body at rest keeps its heading.
+    fn turn(&mut self) {
+        for (heading, velocity) in self.headings.iter_mut().zip(&self.velocities) {
+            let along = direction(velocity);
+            if along.norm_squared() > 0.0 {
+                *heading = along;
+            }
+        }
+    }
+
+    fn ask(&mut self, flock: &mut Flock<D>) {
+        let mut wanted = std::mem::take(&mut self.wanted);
+        flock.accelerations(&self.state(), &mut wanted);
+        self.wanted = wanted;
         if self.step == 0 {
             self.wanted_before.clone_from(&self.wanted);
         }

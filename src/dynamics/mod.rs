@@ -8,7 +8,7 @@ mod bodies;
 pub use bodies::{Bodies, Failure};
 
 use crate::math::Vector;
-use crate::shape::{Geometry, In};
+use crate::shape::{Geometry, In, Obstacle};
 use crate::world::World;
 
 /// The state of the agents at the end of a step, for those who observe.
@@ -22,6 +22,19 @@ pub struct Snapshot<'a, const D: usize> {
     pub positions: &'a [Vector<D>],
     /// Velocity of each agent.
     pub velocities: &'a [Vector<D>],
+    /// Heading of each agent, a unit vector: where its velocity points, or last pointed.
+    pub headings: &'a [Vector<D>],
+    /// The obstacles, where they are now.
+    pub obstacles: &'a [Obstacle<D>],
+}
+
+/// What drives the bodies through one step.
+#[derive(Debug, Clone, Copy)]
+pub struct Drive<'a, const D: usize> {
+    /// Force on each agent.
+    pub forces: &'a [Vector<D>],
+    /// The obstacles, where they are at the end of the step.
+    pub obstacles: &'a [Obstacle<D>],
 }
 
 /// What a body touched.
@@ -60,9 +73,9 @@ pub trait Physics<const D: usize>: Send {
     /// Sets the velocity of each agent.
     fn set_velocities(&mut self, velocities: &[Vector<D>]);
 
-    /// Takes one step under these forces, one for each agent, in place of those of the step
-    /// before. An empty list leaves the forces as they were, at first none.
-    fn step(&mut self, forces: &[Vector<D>]);
+    /// Takes one step under these forces, in place of those of the step before. An empty
+    /// list of forces leaves them as they were, at first none.
+    fn step(&mut self, drive: Drive<'_, D>);
 
     /// Finds the contacts of the present positions, without moving anything.
     fn detect(&mut self);

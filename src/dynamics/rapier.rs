@@ -7,7 +7,7 @@ use super::rapier::prelude::{
     ColliderBuilder, ColliderHandle, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
 use super::{D, geometry};
-use crate::dynamics::{Engine, Physics, Touch, Touched};
+use crate::dynamics::{Drive, Engine, Physics, Touch, Touched};
 use crate::math::Vector;
 use crate::shape::In;
 use crate::world::World;
@@ -148,8 +148,8 @@ impl Physics<D> for Rapier {
         }
     }
 
-    fn step(&mut self, forces: &[Vector<D>]) {
-        for (force, handle) in forces.iter().zip(&self.bodies) {
+    fn step(&mut self, drive: Drive<'_, D>) {
+        for (force, handle) in drive.forces.iter().zip(&self.bodies) {
             let body = &mut self.world.bodies[*handle];
             body.reset_forces(false);
             body.add_force(vector(force), false);

@@ -58,22 +58,17 @@ impl<const D: usize> Law<D> for AlphaInteraction {
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
         for (k, acceleration) in out.iter_mut().enumerate() {
             let i = first + k;
-            let (q, p) = (scene.positions[i], scene.velocities[i]);
+            let p = scene.velocities[i];
             let mut sum = Vector::zeros();
-            scene
-                .cells
-                .for_each_within(&q, self.pair.range, |j, offset, squared| {
-                    if j == i {
-                        return;
-                    }
-                    let distance = squared.sqrt();
-                    let (force, weight) = self.pair.force_and_weight(distance);
-                    if distance > 0.0 {
-                        sum += offset * (force / distance);
-                    }
-                    let weight = if self.weighted_damping { weight } else { 1.0 };
-                    sum += (scene.velocities[j] - p) * (self.damping * weight);
-                });
+            scene.neighbours(i, self.pair.range, |neighbour| {
+                let distance = neighbour.squared.sqrt();
+                let (force, weight) = self.pair.force_and_weight(distance);
+                if distance > 0.0 {
+                    sum += neighbour.offset * (force / distance);
+                }
+                let weight = if self.weighted_damping { weight } else { 1.0 };
+                sum += (neighbour.velocity - p) * (self.damping * weight);
+            });
             *acceleration += sum;
         }
     }

@@ -24,6 +24,8 @@ pub struct Flock<const D: usize> {
 struct Scratch<const D: usize> {
     cells: Cells<D>,
     velocities: Vec<Vector<D>>,
+    headings: Vec<Vector<D>>,
+    groups: Vec<u32>,
     accelerations: Vec<Vector<D>>,
 }
 
@@ -36,6 +38,10 @@ pub struct State<'a, const D: usize> {
     pub positions: &'a [Vector<D>],
     /// Velocity of each agent, finite.
     pub velocities: &'a [Vector<D>],
+    /// Heading of each agent, a unit vector.
+    pub headings: &'a [Vector<D>],
+    /// Group of each agent.
+    pub groups: &'a [usize],
     /// The obstacles.
     pub obstacles: &'a [Obstacle<D>],
 }
@@ -59,16 +65,16 @@ impl<const D: usize> Flock<D> {
     /// Each agent's sum is taken in a fixed order, so the result does not depend on
     /// the number of threads.
     pub fn accelerations(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
-        sum(&self.laws, state, &mut self.scratch, out);
+        sum(&mut self.laws, state, &mut self.scratch, out);
     }
 
     /// The acceleration that each law alone gives each agent, by name of the law.
     pub fn by_law(&mut self, state: &State<'_, D>) -> Vec<(String, Vec<Vector<D>>)> {
         let mut by_law = Vec::new();
-        for law in &self.laws {
+        for law in &mut self.laws {
             let mut out = vec![Vector::zeros(); state.positions.len()];
             sum(
-                std::slice::from_ref(law),
+                std::slice::from_mut(law),
                 state,
                 &mut self.scratch,
                 &mut out,
@@ -81,7 +87,7 @@ impl<const D: usize> Flock<D> {
 
 /// Sums the laws over all agents.
 fn sum<const D: usize>(
-    laws: &[Box<dyn Law<D>>],
+    laws: &mut [Box<dyn Law<D>>],
     state: &State<'_, D>,
     scratch: &mut Scratch<D>,
     out: &mut [Vector<D>],
@@ -89,18 +95,20 @@ fn sum<const D: usize>(
     let Scratch {
         cells,
         velocities,
+        headings,
+        groups,
         accelerations,
     } = scratch;
     let range = laws.iter().map(|law| law.range()).fold(0.0, f64::max);
     // Without neighbours to look for, one cell will do.
     cells.rebuild(state.positions, if range > 0.0 { range } else { f64::MAX });
+    let order = || cells.order().iter().map(|&agent| agent as usize);
     velocities.clear();
-    velocities.extend(
-        cells
-            .order()
-            .iter()
-            .map(|&agent| state.velocities[agent as usize]),
-    );
+    velocities.extend(order().map(|agent| state.velocities[agent]));
+    headings.clear();
+    headings.extend(order().map(|agent| state.headings[agent]));
+    groups.clear();
+    groups.extend(order().map(|agent| state.groups[agent] as u32));
     accelerations.clear();
     accelerations.resize(out.len(), Vector::zeros());
     let scene = Scene {
@@ -108,11 +116,17 @@ fn sum<const D: usize>(
         agents: cells.order(),
         positions: cells.sorted(),
         velocities,
+        headings,
+        groups,
         cells,
         obstacles: state.obstacles,
         mean_position: mean(state.positions),
         mean_velocity: mean(state.velocities),
     };
+    for law in &mut *laws {
+        law.prepare(&scene);
+    }
+    let laws = &*laws;
     let add = |(chunk, out): (usize, &mut [Vector<D>])| {
         for law in laws {
             law.accelerate(&scene, chunk * CHUNK, out);

@@ -25,10 +25,13 @@ pub trait Law<const D: usize>: Send + Sync {
     fn name(&self) -> &str;
 
     /// Largest distance at which the law looks for neighbours through
-    /// [`Scene::cells`]; 0 where it does not.
+    /// [`Scene::neighbours`]; 0 where it does not.
     fn range(&self) -> f64 {
         0.0
     }
+
+    /// Prepares what all agents share, before a scene's accelerations are asked for.
+    fn prepare(&mut self, _scene: &Scene<'_, D>) {}
 
     /// Adds the law's acceleration of the agents `first`, `first + 1`, … to `out`, one
     /// entry for each. Must be the same however the agents are split into calls.

@@ -35,6 +35,11 @@ pub fn direction<const D: usize>(z: &Vector<D>) -> Vector<D> {
     }
 }
 
+/// The unit vector along the coordinate axis number `k`.
+pub fn axis<const D: usize>(k: usize) -> Vector<D> {
+    Vector::from_fn(|row, _| if row == k { 1.0 } else { 0.0 })
+}
+
 /// The mean of some vectors, summed in their order; zero where there are none.
 pub fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {
     if vectors.is_empty() {

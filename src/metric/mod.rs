@@ -35,7 +35,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         polarization: polarization(snapshot.velocities),
         velocity_mismatch: velocity_mismatch(snapshot.velocities, &target),
         agent_gap: agent_gap(snapshot.positions, radii),
-        obstacle_gap: obstacle_gap(snapshot.positions, radii, &world.obstacles),
+        obstacle_gap: obstacle_gap(snapshot.positions, radii, snapshot.obstacles),
         position_diameter: diameter(snapshot.positions),
         velocity_diameter: diameter(snapshot.velocities),
     }

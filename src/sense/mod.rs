@@ -4,4 +4,4 @@ mod cells;
 mod scene;
 
 pub use cells::Cells;
-pub use scene::{Active, Scene, active_obstacles};
+pub use scene::{Active, Neighbour, Scene, active_obstacles};

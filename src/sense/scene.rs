@@ -18,6 +18,10 @@ pub struct Scene<'a, const D: usize> {
     pub positions: &'a [Vector<D>],
     /// Velocity of each agent.
     pub velocities: &'a [Vector<D>],
+    /// Heading of each agent, a unit vector.
+    pub headings: &'a [Vector<D>],
+    /// Group of each agent.
+    pub groups: &'a [u32],
     /// The same positions, for neighbour searches.
     pub cells: &'a Cells<D>,
     /// The obstacles.
@@ -26,6 +30,38 @@ pub struct Scene<'a, const D: usize> {
     pub mean_position: Vector<D>,
     /// Mean of the velocities.
     pub mean_velocity: Vector<D>,
+}
+
+/// Another agent, as an agent perceives it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Neighbour<const D: usize> {
+    /// Its index in the scene.
+    pub index: usize,
+    /// The way to it, from the agent that perceives it.
+    pub offset: Vector<D>,
+    /// Square of the distance to it.
+    pub squared: f64,
+    /// Its velocity.
+    pub velocity: Vector<D>,
+}
+
+impl<const D: usize> Scene<'_, D> {
+    /// Calls `visit` with every neighbour of agent `i`: each other agent that it perceives
+    /// at most `range` away, in an order that does not depend on the number of threads.
+    #[inline]
+    pub fn neighbours(&self, i: usize, range: f64, mut visit: impl FnMut(Neighbour<D>)) {
+        self.cells
+            .for_each_within(&self.positions[i], range, |index, offset, squared| {
+                if index != i {
+                    visit(Neighbour {
+                        index,
+                        offset,
+                        squared,
+                        velocity: self.velocities[index],
+                    });
+                }
+            });
+    }
 }
 
 /// An obstacle near enough to act on an agent, with the agent's projection on it.

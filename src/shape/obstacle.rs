@@ -1,10 +1,12 @@
 //! An obstacle: a posed shape that agents project themselves onto.
 
-use crate::math::{Matrix, Vector, direction};
+use std::sync::Arc;
+
+use crate::math::{Matrix, Vector, axis, direction};
 use crate::shape::{Face, Geometry, In, Pose, Query, Shape};
 
-/// A fixed convex solid.
-#[derive(Debug)]
+/// A fixed convex solid. Copies share what was prepared for queries.
+#[derive(Debug, Clone)]
 pub struct Obstacle<const D: usize> {
     /// Name, for reports.
     pub name: String,
@@ -12,13 +14,13 @@ pub struct Obstacle<const D: usize> {
     pub shape: Shape<D>,
     /// Where it stands.
     pub pose: Pose<D>,
-    query: Box<dyn Query<D>>,
+    query: Arc<dyn Query<D>>,
     core: Core<D>,
     bounds: (Vector<D>, Vector<D>),
 }
 
 /// What the solid is a rounding of, in its own frame.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 enum Core<const D: usize> {
     /// A point or a segment, with the radius about it.
     Thin { radius: f64, axis: Option<Axis<D>> },
@@ -27,7 +29,7 @@ enum Core<const D: usize> {
 }
 
 /// The segment inside a capsule.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Axis<const D: usize> {
     from: Vector<D>,
     direction: Vector<D>,
@@ -103,7 +105,7 @@ where
             name,
             shape,
             pose,
-            query,
+            query: query.into(),
             core,
             bounds,
         })
@@ -276,14 +278,13 @@ fn onto<const D: usize>(q: &Vector<D>, faces: &[&Face<D>], fallback: Vector<D>) 
     }
 }
 
-/// A unit vector across `axis`, or any where there is none.
-fn across<const D: usize>(axis: Option<Vector<D>>) -> Vector<D> {
-    let unit = |along: usize| Vector::from_fn(|k, _| if k == along { 1.0 } else { 0.0 });
-    match axis {
-        None => unit(0),
-        Some(axis) => {
-            let basis = unit(axis.iamin());
-            direction(&(basis - axis * axis.dot(&basis)))
+/// A unit vector across `along`, or any where there is none.
+fn across<const D: usize>(along: Option<Vector<D>>) -> Vector<D> {
+    match along {
+        None => axis(0),
+        Some(along) => {
+            let basis = axis(along.iamin());
+            direction(&(basis - along * along.dot(&basis)))
         }
     }
 }

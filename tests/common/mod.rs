@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "each test file uses some of it")]
 
-use volary::math::Vector;
+use volary::math::{Vector, axis, direction};
 use volary::shape::{Geometry, In};
 use volary::world::World;
 use volary::world::spec::WorldSpec;
@@ -54,6 +54,15 @@ pub fn flock_world(dimension: usize) -> WorldSpec {
             { "navigation": { "velocity": vector(2.0, 0.0), "velocity_gain": 1.5 } }
         ]
     }))
+}
+
+/// The directions of some velocities, that of the first axis for those at rest.
+pub fn headings<const D: usize>(velocities: &[Vector<D>]) -> Vec<Vector<D>> {
+    let heading = |velocity: &Vector<D>| match direction(velocity) {
+        along if along.norm_squared() > 0.0 => along,
+        _ => axis(0),
+    };
+    velocities.iter().map(heading).collect()
 }
 
 /// The order with which errors fall with the step, by least squares on the logarithms.
