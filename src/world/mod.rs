@@ -15,10 +15,12 @@ pub mod report;
 mod resolve;
 pub mod set;
 pub mod shipped;
+mod sites;
 mod span;
 pub mod spec;
 mod syntax;
 mod validate;
+mod velocity;
 mod words;
 
 pub use document::Document;

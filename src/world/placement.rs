@@ -6,6 +6,7 @@ use crate::math::Vector;
 use crate::shape::Obstacle;
 use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
+use crate::world::sites::{self, Hexagonal};
 use crate::world::spec::{GroupSpec, PlacementSpec};
 use crate::world::vector;
 use crate::world::words::number;
@@ -69,6 +70,26 @@ impl<'a, const D: usize> Placement<'a, D> {
         let mut random = Random::new(seed, Purpose::Positions(index));
         match &group.positions {
             PlacementSpec::Explicit(positions) => self.list(index, group, positions),
+            PlacementSpec::Grid(grid) => {
+                let sites = sites::grid(&vector(&grid.corner), grid.spacing, &grid.points);
+                self.fix(index, group, "grid", sites)
+            }
+            PlacementSpec::Line(line) => {
+                let sites = sites::line(&vector(&line.from), &vector(&line.to), count);
+                self.fix(index, group, "line", sites)
+            }
+            PlacementSpec::Hexagonal(lattice) => {
+                let least = 2.0 * group.radius * (1.0 - ROUNDING);
+                if lattice.spacing < least {
+                    // Bodies would skip places for one another and leave a wider lattice.
+                    let path = format!("agents[{index}].positions.hexagonal.spacing");
+                    let width = number(2.0 * group.radius);
+                    let what = format!("must be at least {width}, the width of a body");
+                    return Err(vec![Problem::new(path, what)]);
+                }
+                let mut sites = Hexagonal::new(vector(&lattice.center), lattice.spacing);
+                self.draw(index, group, count, "hexagonal", || sites.next())
+            }
             PlacementSpec::Box(region) => {
                 let (min, max) = (vector(&region.min), vector(&region.max));
                 self.draw(index, group, count, "box", || random.in_box(&min, &max))
@@ -110,6 +131,35 @@ impl<'a, const D: usize> Placement<'a, D> {
         }
     }
 
+    /// Places agents where a rule puts them; the first that cannot be there is named.
+    fn fix(
+        &mut self,
+        group_index: usize,
+        group: &GroupSpec,
+        kind: &str,
+        sites: Vec<Vector<D>>,
+    ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
+        for (index, &position) in sites.iter().enumerate() {
+            let body = Placed {
+                group: group_index,
+                index,
+                listed: false,
+                radius: group.radius,
+                position,
+            };
+            if let Some(conflict) = self.conflict(&body, 0.0) {
+                let path = format!("agents[{group_index}].positions.{kind}");
+                let what = format!(
+                    "puts agent {index} at a place that {}",
+                    conflict.with(&body)
+                );
+                return Err(vec![Problem::new(path, what)]);
+            }
+            self.insert(body);
+        }
+        Ok(sites)
+    }
+
     fn draw(
         &mut self,
         group_index: usize,
@@ -135,7 +185,7 @@ impl<'a, const D: usize> Placement<'a, D> {
                     format!("agents[{group_index}].positions.{kind}"),
                     format!(
                         "has room for {index} of the {count} agents only, {distance} apart and \
-                         clear of obstacles and other groups (after {DRAWS} draws for the next one)"
+                         clear of obstacles and other groups (after {DRAWS} tries for the next one)"
                     ),
                 );
                 let hint = "a larger region, fewer agents or a smaller separation may help";
@@ -227,7 +277,10 @@ fn name<const D: usize>(body: &Placed<D>) -> String {
 
 fn separation(positions: &PlacementSpec) -> Option<f64> {
     match positions {
-        PlacementSpec::Explicit(_) => None,
+        PlacementSpec::Explicit(_)
+        | PlacementSpec::Grid(_)
+        | PlacementSpec::Hexagonal(_)
+        | PlacementSpec::Line(_) => None,
         PlacementSpec::Box(region) => region.separation,
         PlacementSpec::Ball(region) => region.separation,
     }
@@ -238,6 +291,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::shape::{Pose, Shape};
 
     fn problems<const D: usize>(radius: f64, positions: &[Vec<f64>]) -> Vec<Problem> {
         let group = json!({ "radius": radius, "positions": { "explicit": positions } });
@@ -278,6 +332,28 @@ mod tests {
     fn finds_every_overlap() {
         agrees_with_brute_force::<2>();
         agrees_with_brute_force::<3>();
+    }
+
+    #[test]
+    fn a_lattice_goes_around_obstacles_and_other_groups() {
+        let group = |radius: f64, count: usize| -> GroupSpec {
+            let lattice = json!({ "hexagonal": { "center": [0, 0], "spacing": 2 } });
+            let group = json!({ "radius": radius, "count": count, "positions": lattice });
+            serde_json::from_value(group).unwrap()
+        };
+        let groups = [group(1.0, 7), group(0.5, 6)];
+        let pole = Pose::new(Vector::zeros(), [0.0; 3]);
+        let pole = Obstacle::new("pole".into(), Shape::Ball { radius: 0.5 }, pole).unwrap();
+        let mut placement = Placement::<2>::new(&groups, std::slice::from_ref(&pole));
+        let far = |positions: Vec<Vector<2>>| {
+            let squares = positions.iter().map(|at| (at.norm_squared() / 4.0).round());
+            squares.collect::<Vec<_>>()
+        };
+        // The pole takes the centre; six are on the first ring, the seventh on the second.
+        let first = placement.place(0, &groups[0], 7, 1).unwrap();
+        assert_eq!(far(first), [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 3.0]);
+        let second = placement.place(1, &groups[1], 6, 1).unwrap();
+        assert_eq!(far(second), [3.0, 3.0, 3.0, 3.0, 3.0, 4.0]);
     }
 
     #[test]

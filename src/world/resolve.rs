@@ -5,11 +5,10 @@ use crate::shape::{Geometry, In, Obstacle, Pose, Shape};
 use crate::world::check;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
-use crate::world::random::{Purpose, Random};
 use crate::world::spec::{
-    AlphaInteractionSpec, GroupSpec, LawSpec, ObstacleSpec, PerAgent, Rotation, ShapeSpec,
-    VelocitySpec, WorldSpec,
+    AlphaInteractionSpec, LawSpec, ObstacleSpec, PerAgent, Rotation, ShapeSpec, WorldSpec,
 };
+use crate::world::velocity::{turn, velocities};
 use crate::world::{vector, vector_or_zero};
 
 /// A world of either dimension.
@@ -114,12 +113,13 @@ where
         for (index, group) in spec.agents.iter().enumerate() {
             let count = group.count.unwrap_or(0);
             match placement.place(index, group, count, spec.seed) {
-                Ok(positions) => agents.positions.extend(positions),
+                Ok(positions) => {
+                    let velocities = velocities(index, &group.velocities, &positions, spec.seed);
+                    agents.positions.extend(positions);
+                    agents.velocities.extend(velocities);
+                }
                 Err(found) => problems.extend(found),
             }
-            agents
-                .velocities
-                .extend(velocities::<D>(index, group, count, spec.seed));
             agents.group.extend(vec![index; count]);
             agents.radius.extend(vec![group.radius; count]);
             agents
@@ -223,24 +223,6 @@ fn sound(spec: &WorldSpec) -> Result<(), Vec<Problem>> {
     }
 }
 
-fn velocities<const D: usize>(
-    index: usize,
-    group: &GroupSpec,
-    count: usize,
-    seed: u64,
-) -> Vec<Vector<D>> {
-    match &group.velocities {
-        VelocitySpec::Rest => vec![Vector::zeros(); count],
-        VelocitySpec::Common(velocity) => vec![vector(velocity); count],
-        VelocitySpec::Explicit(velocities) => velocities.iter().map(|v| vector(v)).collect(),
-        VelocitySpec::Uniform(region) => {
-            let (min, max) = (vector(&region.min), vector(&region.max));
-            let mut random = Random::new(seed, Purpose::Velocities(index));
-            (0..count).map(|_| random.in_box(&min, &max)).collect()
-        }
-    }
-}
-
 fn obstacles<const D: usize>(specs: &[ObstacleSpec]) -> Result<Vec<Obstacle<D>>, Vec<Problem>>
 where
     In<D>: Geometry<D>,
@@ -289,10 +271,6 @@ fn shape<const D: usize>(spec: &ShapeSpec) -> Shape<D> {
 }
 
 fn pose<const D: usize>(spec: &ObstacleSpec) -> Pose<D> {
-    let turn = match &spec.rotation {
-        None => [0.0; 3],
-        Some(Rotation::Angle(angle)) => [0.0, 0.0, *angle],
-        Some(Rotation::Vector(turn)) => vector::<3>(turn).into(),
-    };
+    let turn = spec.rotation.as_ref().map_or([0.0; 3], turn);
     Pose::new(vector_or_zero(&spec.position), turn)
 }

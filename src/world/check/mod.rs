@@ -4,6 +4,7 @@
 
 mod law;
 mod obstacle;
+mod start;
 
 use super::problem::Problem;
 use super::spec::*;
@@ -66,12 +67,9 @@ pub fn whole_steps(time: f64, step: f64) -> Option<u64> {
     whole.then_some(nearest as u64)
 }
 
-/// The number of agents of a group: as given, or as many as it lists positions.
+/// The number of agents of a group: as given, or as many as its positions make.
 pub fn size(group: &GroupSpec) -> Option<usize> {
-    match &group.positions {
-        PlacementSpec::Explicit(positions) => Some(positions.len()),
-        PlacementSpec::Box(_) | PlacementSpec::Ball(_) => group.count,
-    }
+    start::positions(group).or(group.count)
 }
 
 /// Whether a navigation law names a velocity other than rest.
@@ -107,6 +105,29 @@ impl Check {
             self.problems.push(problem.allowed("-1e100 to 1e100"));
         }
         fits
+    }
+
+    fn optional_vector(&mut self, path: &str, vector: &Option<Vec<f64>>) {
+        if let Some(vector) = vector {
+            self.vector(path, vector);
+        }
+    }
+
+    /// A rotation, or a rate of rotation, takes the form of the world's dimension.
+    fn rotation(&mut self, path: &str, rotation: &Rotation) {
+        match rotation {
+            Rotation::Vector(vector) if self.dimension == 3 => {
+                self.vector(path, vector);
+            }
+            Rotation::Vector(_) => {
+                self.add(path, "must be one number in 2-D, the angle in radians")
+            }
+            Rotation::Angle(_) if self.dimension == 3 => self.add(
+                path,
+                "must be 3 numbers in 3-D, the axis times the angle in radians",
+            ),
+            Rotation::Angle(_) => {}
+        }
     }
 
     fn vectors(&mut self, path: &str, vectors: &[Vec<f64>]) {
@@ -175,20 +196,9 @@ impl Check {
 
     fn group(&mut self, path: &str, group: &GroupSpec) {
         self.finite(&format!("{path}.force_limit"), group.force_limit);
-        let positions = format!("{path}.positions");
-        match &group.positions {
-            PlacementSpec::Explicit(listed) => self.listed(path, listed, group.count),
-            PlacementSpec::Box(place) => {
-                self.finite(&format!("{positions}.box.separation"), place.separation);
-                self.corners(&format!("{positions}.box"), &place.min, &place.max, false);
-            }
-            PlacementSpec::Ball(place) => {
-                self.finite(&format!("{positions}.ball.separation"), place.separation);
-                self.vector(&format!("{positions}.ball.center"), &place.center);
-            }
-        }
+        self.positions(path, group);
         let Some(count) = size(group) else {
-            self.add(path, "missing field `count`, which random positions need");
+            self.add(path, "missing field `count`, which these positions need");
             return;
         };
         if let PerAgent::Each(masses) = &group.mass
@@ -200,43 +210,7 @@ impl Check {
             );
             self.add(format!("{path}.mass"), what);
         }
-        let path = format!("{path}.velocities");
-        match &group.velocities {
-            VelocitySpec::Rest => {}
-            VelocitySpec::Common(velocity) => {
-                self.vector(&format!("{path}.common"), velocity);
-            }
-            VelocitySpec::Uniform(place) => {
-                self.corners(&format!("{path}.uniform"), &place.min, &place.max, true);
-            }
-            VelocitySpec::Explicit(listed) => {
-                let path = format!("{path}.explicit");
-                self.vectors(&path, listed);
-                if listed.len() != count {
-                    let found = listed.len();
-                    let what =
-                        format!("must list {count} velocities, one for each agent, not {found}");
-                    self.add(path, what);
-                }
-            }
-        }
-    }
-
-    fn listed(&mut self, group: &str, positions: &[Vec<f64>], count: Option<usize>) {
-        let path = format!("{group}.positions.explicit");
-        if positions.is_empty() {
-            self.add(path, "must list at least one position");
-            return;
-        }
-        self.vectors(&path, positions);
-        if count.is_some_and(|count| count != positions.len()) {
-            let what = format!(
-                "must be {}, the number of positions listed",
-                positions.len()
-            );
-            let problem = Problem::new(format!("{group}.count"), what);
-            self.problems.push(problem.hint("it may be left out"));
-        }
+        self.velocities(&format!("{path}.velocities"), &group.velocities, count);
     }
 
     fn number_of_agents(&mut self, groups: &[GroupSpec]) {

@@ -2,29 +2,14 @@
 
 use super::Check;
 use crate::world::problem::Problem;
-use crate::world::spec::{ObstacleSpec, Rotation, ShapeSpec};
+use crate::world::spec::{ObstacleSpec, ShapeSpec};
 
 impl Check {
     /// Checks an obstacle.
     pub(super) fn obstacle(&mut self, path: &str, obstacle: &ObstacleSpec) {
-        if let Some(position) = &obstacle.position {
-            self.vector(&format!("{path}.position"), position);
-        }
-        let rotation = format!("{path}.rotation");
-        match &obstacle.rotation {
-            Some(Rotation::Vector(vector)) if self.dimension == 3 => {
-                self.vector(&rotation, vector);
-            }
-            Some(Rotation::Vector(_)) => {
-                self.add(rotation, "must be one number in 2-D, the angle in radians");
-            }
-            Some(Rotation::Angle(_)) if self.dimension == 3 => {
-                self.add(
-                    rotation,
-                    "must be 3 numbers in 3-D, the axis times the angle in radians",
-                );
-            }
-            Some(Rotation::Angle(_)) | None => {}
+        self.optional_vector(&format!("{path}.position"), &obstacle.position);
+        if let Some(rotation) = &obstacle.rotation {
+            self.rotation(&format!("{path}.rotation"), rotation);
         }
         self.shape(&format!("{path}.shape"), &obstacle.shape);
     }

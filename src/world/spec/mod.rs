@@ -10,18 +10,21 @@
 mod agents;
 mod law;
 mod obstacle;
+mod start;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use agents::{
-    BallSpec, BoxSpec, GroupSpec, PerAgent, PlacementSpec, VelocityBoxSpec, VelocitySpec,
-};
+pub use agents::{GroupSpec, PerAgent};
 pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, LawSpec, NavigationSpec,
     ObstacleAvoidanceSpec, Steered,
 };
 pub use obstacle::{ObstacleSpec, Rotation, ShapeSpec};
+pub use start::{
+    BallSpec, BoxSpec, GridSpec, HexagonalSpec, LineSpec, OutwardSpec, PlacementSpec, RotatingSpec,
+    VelocityBallSpec, VelocityBoxSpec, VelocitySpec,
+};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
