@@ -3,14 +3,14 @@
 mod diameter;
 mod gap;
 mod ledger;
-mod net;
 mod order;
 
 pub use diameter::diameter;
 pub use gap::{agent_gap, obstacle_gap};
 pub use ledger::Ledger;
-pub use net::Net;
-pub use order::{polarization, structural_energy, velocity_mismatch};
+pub use order::{polarization, velocity_mismatch};
+
+pub use crate::net::{Net, structural_energy};
 
 use crate::dynamics::Snapshot;
 use crate::math::mean;
