@@ -39,6 +39,7 @@
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
 //! - [`world`]: the world file, read, checked and resolved
 //! - [`sense`]: what agents perceive, neighbours and obstacles
+//! - [`net`]: the graphs that agents induce, and their analysis
 //! - [`law`]: one file per law, and the flock that sums them
 //! - [`dynamics`]: what moves the agents
 //! - [`trace`]: what a run leaves behind
@@ -50,6 +51,7 @@ pub mod dynamics;
 pub mod law;
 pub mod math;
 pub mod metric;
+pub mod net;
 pub mod schema;
 pub mod sense;
 pub mod shape;

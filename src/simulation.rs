@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use crate::dynamics::{Bodies, Engine, Failure, Snapshot};
 use crate::law::{Flock, Law, build};
 use crate::math::Vector;
-use crate::metric::{Ledger, Net, measure};
+use crate::metric::{Ledger, NetAnalysis, measure};
+use crate::net::Net;
 use crate::sense::active_obstacles;
 use crate::shape::In;
 use crate::trace::record::{
@@ -20,6 +21,7 @@ pub struct Simulation<const D: usize> {
     flock: Flock<D>,
     bodies: Bodies<D>,
     ledger: Ledger,
+    net_analysis: NetAnalysis,
     smallest_agent_gap: Option<f64>,
     smallest_obstacle_gap: Option<f64>,
 }
@@ -50,6 +52,7 @@ where
             flock,
             bodies,
             ledger: Ledger::default(),
+            net_analysis: NetAnalysis::default(),
             smallest_agent_gap: None,
             smallest_obstacle_gap: None,
         })
@@ -193,6 +196,10 @@ impl<const D: usize> Simulation<D> {
                 .alpha_interaction()
                 .filter(|_| world.spec.record.edges)
                 .map(|alpha| Net::new(state.positions, alpha.range).edges().to_vec()),
+            net: (world.spec.record.net)
+                .then(|| self.net_analysis.record(world, &state))
+                .flatten()
+                .map(Box::new),
         }
     }
 

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 10] = [
+const LAYERS: [&str; 11] = [
     "math",
     "shape",
     "world",
     "sense",
+    "net",
     "law",
     "dynamics",
     "trace",

@@ -1,19 +1,30 @@
 //! Metrics: pure functions of a state, and the ledger of contacts.
 
+mod collision;
+mod correlation;
 mod diameter;
 mod gap;
+mod lattice;
 mod ledger;
-mod net;
+mod milling;
+mod net_record;
 mod order;
 
+pub use collision::{collision_ratio, obstacle_safety, safety};
+pub use correlation::{cluster_correlation, order};
 pub use diameter::diameter;
 pub use gap::{agent_gap, obstacle_gap};
+pub use lattice::{deviation_energy, union};
 pub use ledger::Ledger;
-pub use net::Net;
-pub use order::{polarization, structural_energy, velocity_mismatch};
+pub use milling::{milling, rotation};
+pub use net_record::NetAnalysis;
+pub use order::{polarization, velocity_mismatch};
+
+pub use crate::net::{Net, structural_energy};
 
 use crate::dynamics::Snapshot;
 use crate::math::mean;
+use crate::net::Components;
 use crate::trace::record::Metrics;
 use crate::world::World;
 
@@ -21,13 +32,15 @@ use crate::world::World;
 pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> Metrics {
     let alpha = world.alpha_interaction();
     let net = alpha.map(|alpha| Net::new(snapshot.positions, alpha.range));
+    let clusters = net.as_ref().map(Net::partition);
     let target = world
         .navigation_velocity()
         .unwrap_or_else(|| mean(snapshot.velocities));
     let radii = &world.agents.radius;
+    let collisions = collision_ratio(snapshot.positions, radii);
     Metrics {
-        components: net.as_ref().map(|net| net.components().len()),
-        density: net.as_ref().map(Net::density),
+        components: clusters.as_ref().map(Components::count),
+        density: clusters.as_ref().map(Components::density),
         edges: net.as_ref().map(|net| net.edges().len()),
         structural_energy: alpha.zip(net.as_ref()).map(|(alpha, net)| {
             structural_energy(snapshot.positions, snapshot.velocities, net, &alpha.pair())
@@ -38,5 +51,20 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         obstacle_gap: obstacle_gap(snapshot.positions, radii, snapshot.obstacles),
         position_diameter: diameter(snapshot.positions),
         velocity_diameter: diameter(snapshot.velocities),
+        largest_component: clusters.as_ref().map(Components::largest),
+        smallest_component: clusters.as_ref().map(Components::smallest),
+        union: clusters.as_ref().and_then(union),
+        deviation_energy: alpha
+            .zip(net.as_ref())
+            .map(|(alpha, net)| deviation_energy(snapshot.positions, net, alpha.spacing)),
+        order: order(snapshot.velocities),
+        cluster_correlation: clusters
+            .as_ref()
+            .and_then(|clusters| cluster_correlation(snapshot.velocities, clusters)),
+        milling: milling(snapshot.positions, snapshot.velocities),
+        rotation: Some(rotation(snapshot.positions, snapshot.velocities)),
+        collision_ratio: collisions,
+        safety: collisions.map(|ratio| 1.0 - ratio),
+        obstacle_safety: obstacle_safety(snapshot.positions, radii, &world.obstacles),
     }
 }

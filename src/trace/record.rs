@@ -21,6 +21,10 @@ pub const VERSION: u32 = 1;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "record", rename_all = "snake_case")]
 #[schemars(title = "Volary trace record")]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "most records are frames, which gain nothing from a box"
+)]
 pub enum Record {
     /// The first line: what ran.
     Header(Box<Header>),
@@ -87,6 +91,9 @@ pub struct Frame {
     /// The edges of the proximity net, as pairs of agents, first below second.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<Vec<[usize; 2]>>,
+    /// The analysis of the proximity net.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub net: Option<Box<NetRecord>>,
 }
 
 /// The acceleration that one law asks of each agent.
@@ -138,6 +145,105 @@ pub struct Metrics {
     pub position_diameter: f64,
     /// Velocity diameter d_V: largest difference between two velocities.
     pub velocity_diameter: f64,
+    /// Agents in the largest component of the proximity net.
+    pub largest_component: Option<usize>,
+    /// Agents in the smallest component of the proximity net.
+    pub smallest_component: Option<usize>,
+    /// Union: 1 for one component, 0 where all agents are alone; SwarmLab (Soria et al.
+    /// 2020). Null for one agent.
+    pub union: Option<f64>,
+    /// Normalised deviation energy of the net's edges from their spacing; Olfati-Saber
+    /// (2006), (7). 0 without edges.
+    pub deviation_energy: Option<f64>,
+    /// Order: mean over all pairs of the cosine between their velocities, a pair with an
+    /// agent at rest counting as zero; SwarmLab (Soria et al. 2020). Null for one agent.
+    pub order: Option<f64>,
+    /// The same over pairs within a component of the proximity net, averaged over the
+    /// agents that are not alone; Vásárhelyi et al. (2018). Null where all are alone.
+    pub cluster_correlation: Option<f64>,
+    /// Milling: angular momentum about the mean position, as a share of Σ |r_i||v_i|, 0 to
+    /// 1; Chuang et al. (2007). Null where it is 0/0: one agent, or all at rest.
+    pub milling: Option<f64>,
+    /// Group rotation: the same of unit vectors, each agent counting alike, 0 to 1; Couzin
+    /// et al. (2002). Agents at rest or at the mean position count as zero.
+    pub rotation: Option<f64>,
+    /// Collision ratio: share of pairs of agents closer than the sum of their radii;
+    /// Vásárhelyi et al. (2018). Positions alone: contacts are recorded apart. Null for
+    /// one agent.
+    pub collision_ratio: Option<f64>,
+    /// Safety: 1 − the collision ratio; SwarmLab (Soria et al. 2020).
+    pub safety: Option<f64>,
+    /// Safety from obstacles: 1 − the share of pairs of an agent and an obstacle that are
+    /// closer than the radius. Null without obstacles.
+    pub obstacle_safety: Option<f64>,
+}
+
+/// The analysis of the net that the world's first (α, α) interaction defines: agents at
+/// most its range r apart are joined. Olfati-Saber (2003), §§2 to 9. "Nonsmooth" weighs
+/// all edges with 1, "smooth" with a_ij = ρ(distance/r), whatever the protocol; null where
+/// a state does not define a value.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct NetRecord {
+    /// Edges, each counted once.
+    pub edges: usize,
+    /// Connected components.
+    pub components: usize,
+    /// Agents in the largest component.
+    pub largest: usize,
+    /// Agents in the smallest component.
+    pub smallest: usize,
+    /// Density δ0: share of agents in the largest component; (7). A flock has 1.
+    pub density: f64,
+    /// Smallest number of neighbours of an agent; (9).
+    pub smallest_degree: usize,
+    /// Largest number of neighbours of an agent; (9).
+    pub largest_degree: usize,
+    /// Whether in-degrees equal out-degrees; Proposition 1.
+    pub balanced: bool,
+    /// Algebraic connectivity λ2 of the nonsmooth Laplacian (11); null for one agent.
+    pub algebraic_connectivity: Option<f64>,
+    /// λ2 of the smooth Laplacian, (11) with (17).
+    pub smooth_algebraic_connectivity: Option<f64>,
+    /// Connectivity λ2/N, 0 to 1, of the nonsmooth net; SwarmLab (Soria et al. 2020).
+    pub connectivity: Option<f64>,
+    /// Nonsmooth structural potential V; (28).
+    pub potential: f64,
+    /// Smooth structural potential V; (30) with (17).
+    pub smooth_potential: f64,
+    /// Structural energy H_s with the nonsmooth potential; (27).
+    pub structural_energy: f64,
+    /// Structural energy H_s with the smooth potential; (27).
+    pub smooth_structural_energy: f64,
+    /// Length |∇V| of the nonsmooth potential's gradient.
+    pub gradient: f64,
+    /// Length |∇V| of the smooth potential's gradient.
+    pub smooth_gradient: f64,
+    /// Defect factor μ of the nonsmooth potential with weight w = 1; (46).
+    pub defect: f64,
+    /// Normalised defect factor μ_n = μ/(|E| h0); (47). Null without edges.
+    pub normalised_defect: Option<f64>,
+    /// Largest | |q_j − q_i| − d_α | over the edges, 0 without edges; (20).
+    pub realisation_error: f64,
+    /// Whether the framework of the edges is infinitesimally rigid.
+    pub rigid: bool,
+    /// Degrees of freedom that the edges leave besides those of a rigid body.
+    pub freedoms: usize,
+    /// Whether the net is planar as an abstract graph.
+    pub planar: bool,
+    /// Pairs of edges that cross as drawn; null in space.
+    pub crossings: Option<usize>,
+    /// Agents whose neighbours vote for coming closer, S_i > 0; (41).
+    pub positive_votes: usize,
+    /// Agents whose neighbours vote against, S_i < 0; (42).
+    pub negative_votes: usize,
+    /// Agents whose neighbours' votes cancel, S_i = 0 (45), or that have none.
+    pub zero_votes: usize,
+    /// Edges that were not there in the frame before; null in the first frame.
+    pub links_created: Option<usize>,
+    /// Edges of the frame before that are gone; null in the first frame.
+    pub links_lost: Option<usize>,
+    /// Energy h0 = ψ_α(r − d_α) by which the nonsmooth energy jumps with each link; (31).
+    pub link_energy: f64,
 }
 
 /// What an agent touched.

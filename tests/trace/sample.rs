@@ -58,6 +58,30 @@ pub fn metrics() -> Metrics {
         obstacle_gap: Some(1e-300),
         position_diameter: 2.0,
         velocity_diameter: 3.0,
+        largest_component: Some(2),
+        smallest_component: Some(2),
+        union: Some(1.0),
+        deviation_energy: Some(0.0625),
+        order: Some(-0.75),
+        cluster_correlation: Some(1e-9),
+        milling: None,
+        rotation: Some(0.3),
+        collision_ratio: Some(1.0),
+        safety: Some(0.0),
+        obstacle_safety: None,
+    }
+}
+
+pub fn net() -> NetRecord {
+    NetRecord {
+        edges: 1,
+        density: 1.0,
+        balanced: true,
+        algebraic_connectivity: Some(2.0),
+        potential: 0.1,
+        crossings: Some(0),
+        links_lost: Some(3),
+        ..NetRecord::default()
     }
 }
 
@@ -80,6 +104,7 @@ pub fn frame(step: u64) -> Frame {
             distance: 0.5,
         }]),
         edges: Some(vec![[0, 1]]),
+        net: Some(Box::new(net())),
     }
 }
 

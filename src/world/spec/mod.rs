@@ -131,6 +131,9 @@ pub struct RecordSpec {
     pub beta_agents: bool,
     /// Record the edges of the proximity net.
     pub edges: bool,
+    /// Record the analysis of the proximity net: connectivity, energy, defect, rigidity,
+    /// planarity, votes. Its cost grows with the cube of the number of agents.
+    pub net: bool,
 }
 
 impl Default for RecordSpec {
@@ -141,6 +144,7 @@ impl Default for RecordSpec {
             accelerations: false,
             beta_agents: false,
             edges: false,
+            net: false,
         }
     }
 }
