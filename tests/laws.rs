@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use serde_json::json;
 use volary::law::{Flock, State, build};
 use volary::math::Vector;
-use volary::metric::{Net, structural_energy};
+use volary::net::{Net, structural_energy};
 use volary::shape::{Geometry, In, Pose};
 use volary::world::World;
 use volary::world::spec::{ObstacleSpec, Rotation, WorldSpec};

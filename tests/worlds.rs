@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 use volary::dynamics::{Engine, Snapshot};
-use volary::metric::Net;
+use volary::net::Net;
 use volary::shape::In;
 use volary::simulation::Simulation;
 use volary::trace::record::{Outcome, Record};

@@ -20,11 +20,9 @@ pub use milling::{milling, rotation};
 pub use net_record::NetAnalysis;
 pub use order::{polarization, velocity_mismatch};
 
-pub use crate::net::{Net, structural_energy};
-
 use crate::dynamics::Snapshot;
 use crate::math::mean;
-use crate::net::Components;
+use crate::net::{Components, Net, structural_energy};
 use crate::trace::record::Metrics;
 use crate::world::World;
 
@@ -65,6 +63,6 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         rotation: Some(rotation(snapshot.positions, snapshot.velocities)),
         collision_ratio: collisions,
         safety: collisions.map(|ratio| 1.0 - ratio),
-        obstacle_safety: obstacle_safety(snapshot.positions, radii, &world.obstacles),
+        obstacle_safety: obstacle_safety(snapshot.positions, radii, snapshot.obstacles),
     }
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use serde_json::{Value, json};
 use volary::law::{Flock, State, build};
-use volary::math::Vector;
+use volary::math::{Vector, axis};
 use volary::net::{neighborhood, votes};
 use volary::simulation::Simulation;
 use volary::trace::record::{Frame, Record};
@@ -127,6 +127,8 @@ fn the_vote_is_the_protocol_without_damping() {
             time: 0.0,
             positions,
             velocities,
+            headings: &vec![axis(0); positions.len()],
+            groups: &world.agents.group,
             obstacles: &world.obstacles,
         },
         &mut acceleration,
