@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 10] = [
+const LAYERS: [&str; 11] = [
     "math",
     "shape",
     "world",
@@ -13,6 +13,7 @@ const LAYERS: [&str; 10] = [
     "trace",
     "metric",
     "simulation",
+    "checkpoint",
     "schema",
 ];
 
