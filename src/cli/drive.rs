@@ -39,15 +39,15 @@ pub(super) struct Keeper {
 
 impl<const D: usize> Drive<'_, D> {
     /// Runs a new simulation to its end.
-    pub(super) fn from_the_start(mut self) -> Result<(), Refusal> {
+    pub(super) fn start(mut self) -> Result<(), Refusal> {
         let begun = self.simulation.begin(&mut recorder(&mut self.trace));
         begun.map_err(Refusal::failed)?;
         self.keep_checkpoint(false)?;
-        self.to_the_end()
+        self.go_on()
     }
 
     /// Takes a simulation to its end, writes what was asked for and prints a summary.
-    pub(super) fn to_the_end(mut self) -> Result<(), Refusal> {
+    pub(super) fn go_on(mut self) -> Result<(), Refusal> {
         let world = self.simulation.world();
         let progress = Progress::new(world.steps(), world.spec.time.step, self.quiet);
         let done = self.run(&progress);

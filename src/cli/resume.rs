@@ -119,7 +119,7 @@ where
         }),
         quiet: arguments.quiet,
     }
-    .to_the_end()
+    .go_on()
 }
 
 /// The trace, where there is one, at the place where it goes on.

@@ -151,7 +151,7 @@ where
         }),
         quiet: arguments.quiet,
     }
-    .from_the_start()
+    .start()
 }
 
 /// The number of steps between checkpoints, if there are to be any.
