@@ -20,6 +20,8 @@ pub(super) struct Drive<'a, const D: usize> {
     /// What messages call it.
     pub(super) name: &'a str,
     pub(super) begin: Instant,
+    /// Whether someone wants it to stop.
+    pub(super) stop: Arc<AtomicBool>,
     pub(super) simulation: Simulation<D>,
     pub(super) trace: Option<(PathBuf, TraceWriter)>,
     /// The file of the summary, and whether it may overwrite another.
@@ -69,7 +71,7 @@ impl<const D: usize> Drive<'_, D> {
     }
 
     fn run(&mut self, progress: &Progress) -> Result<Summary, Refusal> {
-        let stop = stop_on_interrupt();
+        let stop = Arc::clone(&self.stop);
         let steps = self.simulation.world().steps();
         let pause = loop {
             let taken = self.simulation.snapshot().step;
@@ -169,7 +171,7 @@ pub(super) fn on_threads(
 }
 
 /// A flag that the first Ctrl-C raises; the second ends the program at once.
-fn stop_on_interrupt() -> Arc<AtomicBool> {
+pub(super) fn stop_on_interrupt() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let raised = Arc::clone(&stop);
     // Without a handler Ctrl-C ends the program at once, which loses the summary only.

@@ -9,7 +9,7 @@ use volary::dynamics::Engine;
 use volary::shape::In;
 use volary::trace::{TraceWriter, check_summary};
 
-use super::drive::{Drive, Keeper, on_threads};
+use super::drive::{Drive, Keeper, on_threads, stop_on_interrupt};
 use super::{Refusal, files, print, summary};
 
 const EXAMPLES: &str = "\
@@ -89,6 +89,7 @@ where
     In<D>: Engine<D>,
 {
     let begin = Instant::now();
+    let stop = stop_on_interrupt();
     let simulation = checkpoint
         .simulation::<D>(Vec::new())
         .map_err(files::refuse_checkpoint)?;
@@ -109,6 +110,7 @@ where
     Drive {
         name: checkpoint.name(),
         begin,
+        stop,
         simulation,
         trace,
         summary,

@@ -11,7 +11,7 @@ use volary::trace::TraceWriter;
 use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
-use super::drive::{Drive, Keeper, on_threads};
+use super::drive::{Drive, Keeper, on_threads, stop_on_interrupt};
 use super::{Refusal, files, load};
 
 const EXAMPLES: &str = "\
@@ -121,6 +121,7 @@ where
     In<D>: Engine<D>,
 {
     let begin = Instant::now();
+    let stop = stop_on_interrupt();
     let every = every(arguments, &world)?;
     let simulation = Simulation::new(world).map_err(|failure| {
         Refusal::failed(format!("{} cannot start: {failure}", arguments.world))
@@ -141,6 +142,7 @@ where
     Drive {
         name: &arguments.world,
         begin,
+        stop,
         simulation,
         trace,
         summary: summary.map(|path| (path, arguments.force)),
