@@ -45,8 +45,10 @@
 //! - [`trace`]: what a run leaves behind
 //! - [`metric`]: functions of a state, and the ledger of contacts
 //! - [`simulation`]: the loop
+//! - [`checkpoint`]: a simulation in a file, to go on with later
 //! - [`schema`]: JSON Schemas of the file formats
 
+pub mod checkpoint;
 pub mod dynamics;
 pub mod law;
 pub mod math;

@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::dynamics::{Bodies, Engine, Failure, Snapshot};
+use serde::{Deserialize, Serialize};
+
+use crate::dynamics::{Bodies, BodiesState, Engine, Failure, Snapshot, Unusable};
 use crate::law::{Flock, Law, build};
 use crate::math::Vector;
 use crate::metric::{Ledger, NetAnalysis, measure};
@@ -14,6 +16,28 @@ use crate::trace::record::{
     Outcome, Record, Summary, VERSION,
 };
 use crate::world::World;
+
+/// What a simulation must know between two steps, besides its world and laws, to go on
+/// bit for bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SimulationState<const D: usize> {
+    bodies: BodiesState<D>,
+    ledger: Ledger,
+    net_analysis: NetAnalysis,
+    smallest_agent_gap: Option<f64>,
+    smallest_obstacle_gap: Option<f64>,
+}
+
+/// Why [`Simulation::advance`] came back.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pause {
+    /// The step that it was to go to is reached.
+    Reached,
+    /// Whoever watched wants to stop.
+    Stopped,
+    /// The state cannot go on; it is the one before the step that failed.
+    Failed(Failure),
+}
 
 /// A world in motion.
 pub struct Simulation<const D: usize> {
@@ -43,9 +67,7 @@ where
     /// # Errors
     /// Where the laws give no finite acceleration at the start.
     pub fn with_laws(world: World<D>, more: Vec<Box<dyn Law<D>>>) -> Result<Self, Failure> {
-        let mut laws = build(&world);
-        laws.extend(more);
-        let mut flock = Flock::new(laws);
+        let mut flock = flock(&world, more);
         let bodies = Bodies::new(&world, &mut flock)?;
         Ok(Self {
             world,
@@ -57,6 +79,36 @@ where
             smallest_obstacle_gap: None,
         })
     }
+
+    /// A simulation of `world` that goes on from a state which [`Simulation::capture`] gave,
+    /// under the world's laws and the same ones besides as then. A run that goes on here
+    /// does the same, to the last bit, as the one that was captured.
+    ///
+    /// # Errors
+    /// Where the state is not one of this world.
+    pub fn restore(
+        world: World<D>,
+        more: Vec<Box<dyn Law<D>>>,
+        state: SimulationState<D>,
+    ) -> Result<Self, Unusable> {
+        let bodies = Bodies::restore(&world, state.bodies)?;
+        Ok(Self {
+            flock: flock(&world, more),
+            bodies,
+            ledger: state.ledger,
+            net_analysis: state.net_analysis,
+            smallest_agent_gap: state.smallest_agent_gap,
+            smallest_obstacle_gap: state.smallest_obstacle_gap,
+            world,
+        })
+    }
+}
+
+/// The laws of a world, and some more.
+fn flock<const D: usize>(world: &World<D>, more: Vec<Box<dyn Law<D>>>) -> Flock<D> {
+    let mut laws = build(world);
+    laws.extend(more);
+    Flock::new(laws)
 }
 
 impl<const D: usize> Simulation<D> {
@@ -73,10 +125,33 @@ impl<const D: usize> Simulation<D> {
         mut record: impl FnMut(Record) -> Result<(), E>,
         mut watch: impl FnMut(&Snapshot<'_, D>) -> ControlFlow<()>,
     ) -> Result<Summary, E> {
-        record(Record::Header(Box::new(self.header())))?;
-        let (steps, frame_steps) = (self.world.steps(), self.world.frame_steps());
-        let mut end = Ok(Outcome::Completed);
-        while self.snapshot().step < steps {
+        self.begin(&mut record)?;
+        let pause = self.advance(self.world.steps(), &mut record, &mut watch)?;
+        self.finish(pause, &mut record)
+    }
+
+    /// The first part of [`Simulation::run`]: records the header.
+    ///
+    /// # Errors
+    /// Those of `record`.
+    pub fn begin<E>(&self, record: &mut impl FnMut(Record) -> Result<(), E>) -> Result<(), E> {
+        record(Record::Header(Box::new(self.header())))
+    }
+
+    /// The middle part of [`Simulation::run`], in one go or in several: takes steps until
+    /// `end` steps are taken in all. Parts record the same as the whole does, and between
+    /// them the simulation can be captured.
+    ///
+    /// # Errors
+    /// Those of `record`, which end the run at once.
+    pub fn advance<E>(
+        &mut self,
+        end: u64,
+        record: &mut impl FnMut(Record) -> Result<(), E>,
+        watch: &mut impl FnMut(&Snapshot<'_, D>) -> ControlFlow<()>,
+    ) -> Result<Pause, E> {
+        let frame_steps = self.world.frame_steps();
+        while self.snapshot().step < end {
             if self.snapshot().step.is_multiple_of(frame_steps) {
                 record(Record::Frame(self.frame()))?;
             }
@@ -84,29 +159,43 @@ impl<const D: usize> Simulation<D> {
                 Ok(over) => over
                     .into_iter()
                     .try_for_each(|c| record(Record::Contact(c)))?,
-                Err(failure) => {
-                    end = Err(failure);
-                    break;
-                }
+                Err(failure) => return Ok(Pause::Failed(failure)),
             }
-            if watch(&self.snapshot()).is_break() && self.snapshot().step < steps {
-                end = Ok(Outcome::Interrupted);
-                break;
+            if watch(&self.snapshot()).is_break() && self.snapshot().step < self.world.steps() {
+                return Ok(Pause::Stopped);
             }
         }
+        Ok(Pause::Reached)
+    }
+
+    /// The last part of [`Simulation::run`]: records the last state, the contacts that are
+    /// still open, and the summary.
+    ///
+    /// # Errors
+    /// Those of `record`.
+    pub fn finish<E>(
+        &mut self,
+        pause: Pause,
+        record: &mut impl FnMut(Record) -> Result<(), E>,
+    ) -> Result<Summary, E> {
+        let failed = matches!(pause, Pause::Failed(_));
         // A step that failed left the state before it, but not the engine's.
-        let recorded = end.is_err() && self.snapshot().step.is_multiple_of(frame_steps);
+        let recorded = failed
+            && self
+                .snapshot()
+                .step
+                .is_multiple_of(self.world.frame_steps());
         if !recorded {
             record(Record::Frame(self.frame()))?;
         }
-        let overlaps = match &end {
-            Ok(_) => self.bodies.touches_now(),
-            Err(_) => Vec::new(),
+        let overlaps = match failed {
+            false => self.bodies.touches_now(),
+            true => Vec::new(),
         };
         let rest = self.ledger.close(self.snapshot().time, &overlaps);
         rest.into_iter()
             .try_for_each(|c| record(Record::Contact(c)))?;
-        let summary = self.summary(end);
+        let summary = self.summary(pause);
         record(Record::Summary(Box::new(summary.clone())))?;
         Ok(summary)
     }
@@ -121,6 +210,31 @@ impl<const D: usize> Simulation<D> {
         Ok(self
             .ledger
             .enter(begin, self.snapshot().time, self.bodies.touches()))
+    }
+
+    /// What [`Simulation::restore`] needs to go on from here.
+    ///
+    /// # Errors
+    /// Where the engine cannot tell its state.
+    pub fn capture(&self) -> Result<SimulationState<D>, Unusable> {
+        // Every field is named, so that a new one cannot be forgotten here.
+        let Self {
+            // Given again when it is restored. Laws have no memory.
+            world: _,
+            flock: _,
+            bodies,
+            ledger,
+            net_analysis,
+            smallest_agent_gap,
+            smallest_obstacle_gap,
+        } = self;
+        Ok(SimulationState {
+            bodies: bodies.capture()?,
+            ledger: ledger.clone(),
+            net_analysis: net_analysis.clone(),
+            smallest_agent_gap: *smallest_agent_gap,
+            smallest_obstacle_gap: *smallest_obstacle_gap,
+        })
     }
 
     /// The world that runs.
@@ -203,7 +317,12 @@ impl<const D: usize> Simulation<D> {
         }
     }
 
-    fn summary(&mut self, end: Result<Outcome, Failure>) -> Summary {
+    fn summary(&mut self, pause: Pause) -> Summary {
+        let (outcome, error) = match pause {
+            Pause::Failed(failure) => (Outcome::Failed, Some(failure.to_string())),
+            _ if self.snapshot().step < self.world.steps() => (Outcome::Interrupted, None),
+            _ => (Outcome::Completed, None),
+        };
         let state = self.bodies.snapshot();
         let last = measure(&self.world, &state);
         let (mut agent_gap, mut obstacle_gap) =
@@ -217,8 +336,8 @@ impl<const D: usize> Simulation<D> {
         Summary {
             name: self.world.name.clone(),
             seed: self.world.spec.seed,
-            outcome: *end.as_ref().unwrap_or(&Outcome::Failed),
-            error: end.err().map(|failure| failure.to_string()),
+            outcome,
+            error,
             agents: self.world.agents.len(),
             steps: state.step,
             time: state.time,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 11] = [
+const LAYERS: [&str; 12] = [
     "math",
     "shape",
     "world",
@@ -14,6 +14,7 @@ const LAYERS: [&str; 11] = [
     "trace",
     "metric",
     "simulation",
+    "checkpoint",
     "schema",
 ];
 

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use volary::checkpoint::{Checkpoint, CheckpointError};
 use volary::trace::{Format, TraceError, check_summary};
 
 use super::Refusal;
@@ -10,30 +11,65 @@ use super::run::RunArguments;
 /// Refuses, before anything is touched, files that cannot be written or that would
 /// destroy one another or the world.
 pub(super) fn check(arguments: &RunArguments) -> Result<(), Refusal> {
-    let world = Path::new(&arguments.world);
+    let checkpoint = arguments.checkpoint.as_deref();
     let (trace, summary) = (arguments.trace.as_deref(), arguments.summary.as_deref());
-    for (what, path) in [("trace", trace), ("summary", summary)] {
-        if let Some(path) = path.filter(|path| same(path, world)) {
-            let name = path.display();
+    apart(&[
+        ("world", Some(Path::new(&arguments.world))),
+        ("trace", trace),
+        ("summary", summary),
+        ("checkpoint", checkpoint),
+    ])?;
+    if let Some(path) = trace {
+        Format::of(path).map_err(refuse)?;
+        if checkpoint.is_some() && path.exists() && !path.is_file() && !path.is_dir() {
             return Err(Refusal::bad_input(format!(
-                "{name}: the {what} would overwrite the world; give it another name"
+                "{}: a trace must be a regular file to go on from a checkpoint",
+                path.display()
             )));
         }
     }
-    if let (Some(trace), Some(summary)) = (trace, summary)
-        && same(trace, summary)
-    {
-        return Err(Refusal::bad_input(format!(
-            "{}: trace and summary cannot share one file; give one of them another name",
-            summary.display()
-        )));
+    if let Some(path) = summary {
+        check_summary(path, arguments.force).map_err(refuse)?;
     }
-    if let Some(path) = trace {
-        Format::of(path).map_err(refuse)?;
+    if let Some(path) = checkpoint {
+        Checkpoint::check_writable(path, arguments.force).map_err(refuse_checkpoint)?;
     }
-    match summary {
-        Some(path) => check_summary(path, arguments.force).map_err(refuse),
-        None => Ok(()),
+    Ok(())
+}
+
+/// Refuses files, each with what it is, of which two are the same; those further back
+/// give way.
+pub(super) fn apart(files: &[(&str, Option<&Path>)]) -> Result<(), Refusal> {
+    let files: Vec<_> = files
+        .iter()
+        .filter_map(|(what, path)| Some((*what, (*path)?)))
+        .collect();
+    for (place, (what, path)) in files.iter().enumerate() {
+        let taken = files[..place].iter().find(|(_, other)| same(path, other));
+        let name = path.display();
+        match taken {
+            None => {}
+            Some(("world", _)) => {
+                return Err(Refusal::bad_input(format!(
+                    "{name}: the {what} would overwrite the world; give it another name"
+                )));
+            }
+            Some((other, _)) => {
+                return Err(Refusal::bad_input(format!(
+                    "{name}: {other} and {what} cannot share one file; give one of them \
+                     another name"
+                )));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// As [`refuse`], for a checkpoint.
+pub(super) fn refuse_checkpoint(error: CheckpointError) -> Refusal {
+    match error {
+        CheckpointError::File(error) => refuse(error),
+        _ => Refusal::bad_input(error),
     }
 }
 
@@ -43,6 +79,11 @@ pub(super) fn refuse(error: TraceError) -> Refusal {
         TraceError::Exists { .. } => Refusal::bad_input(format!("{error}; --force overwrites it")),
         _ => Refusal::bad_input(error),
     }
+}
+
+/// The path from the root, so that it holds in any folder.
+pub(super) fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// Whether two paths name one file, which need not be there yet.

@@ -3,9 +3,11 @@
 //! Exit codes: 0 done, 1 failed or stopped, 2 bad input.
 
 mod check;
+mod drive;
 mod files;
 mod load;
 mod progress;
+mod resume;
 mod run;
 mod schema;
 mod summary;
@@ -25,6 +27,8 @@ Examples:
                                                        Start a world of your own
   volary check my.json                                 See what is wrong with it
   volary run my.json --trace my.jsonl.zst              Run it, keep every frame
+  volary run my.json --checkpoint my.ckpt --every 10   Run it, able to go on after a crash
+  volary resume my.ckpt                                Go on
 
 Exit codes: 0 done, 1 failed or stopped, 2 bad input.";
 
@@ -47,6 +51,8 @@ struct Arguments {
 enum Command {
     /// Run a world and print how it went
     Run(run::RunArguments),
+    /// Go on with a run from its last checkpoint
+    Resume(resume::ResumeArguments),
     /// Check worlds without running them
     Check(check::CheckArguments),
     /// List the shipped worlds, or print one
@@ -78,6 +84,7 @@ impl Refusal {
 pub fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Run(arguments) => run::run(&arguments),
+        Command::Resume(arguments) => resume::resume(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),

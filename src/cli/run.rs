@@ -1,29 +1,28 @@
 //! `volary run`: a world, from file to trace.
 
-use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
 use volary::dynamics::Engine;
 use volary::shape::In;
 use volary::simulation::Simulation;
-use volary::trace::record::{Outcome, Record, Summary};
-use volary::trace::{TraceWriter, write_summary};
+use volary::trace::TraceWriter;
+use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
-use super::progress::Progress;
-use super::{Refusal, files, load, print, summary};
+use super::drive::{Drive, Keeper, on_threads, stop_on_interrupt};
+use super::{Refusal, files, load};
 
 const EXAMPLES: &str = "\
 Examples:
   volary run my.json
   volary run my.json --seed 7 --until 20 --summary seven.json
   volary run my.json --trace my.jsonl.zst --set record.every=0.05 --set record.edges=true
+  volary run my.json --trace my.jsonl --checkpoint my.ckpt --every 10
 
-Ctrl-C stops a run in good order: trace and summary are whole up to there.";
+Ctrl-C stops a run in good order: trace and summary are whole up to there. With --checkpoint
+it makes one last checkpoint, too, and `volary resume` goes on from it.";
 
 /// Arguments of `volary run`.
 #[derive(Debug, Args)]
@@ -49,6 +48,18 @@ pub(super) struct RunArguments {
     /// Write the summary to this file, as JSON
     #[arg(long, value_name = "FILE")]
     pub(super) summary: Option<PathBuf>,
+    /// Keep a checkpoint in this file, for `volary resume` to go on from after a crash
+    #[arg(long, value_name = "FILE", requires = "every")]
+    pub(super) checkpoint: Option<PathBuf>,
+    /// Simulated time between checkpoints; a whole number of steps
+    #[arg(
+        long,
+        value_name = "TIME",
+        value_parser = time,
+        allow_negative_numbers = true,
+        requires = "checkpoint"
+    )]
+    every: Option<f64>,
     /// Number of threads, all cores when absent; the result is the same on any number
     #[arg(
         long,
@@ -57,7 +68,7 @@ pub(super) struct RunArguments {
         allow_negative_numbers = true
     )]
     threads: Option<u16>,
-    /// Overwrite a trace or summary that exists
+    /// Overwrite a trace, summary or checkpoint that exists
     #[arg(long)]
     pub(super) force: bool,
     /// Print nothing but errors
@@ -99,9 +110,7 @@ fn time(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Refusal> {
     files::check(arguments)?;
     let world = load::load(&arguments.world, arguments.overrides()?)?;
-    let threads = usize::from(arguments.threads.unwrap_or(0));
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.map_err(Refusal::failed)?.install(|| match world {
+    on_threads(arguments.threads, || match world {
         AnyWorld::Plane(world) => run_world(arguments, world),
         AnyWorld::Space(world) => run_world(arguments, world),
     })
@@ -113,69 +122,54 @@ where
 {
     let begin = Instant::now();
     let stop = stop_on_interrupt();
-    let mut simulation = Simulation::new(world).map_err(|failure| {
+    let every = every(arguments, &world)?;
+    let simulation = Simulation::new(world).map_err(|failure| {
         Refusal::failed(format!("{} cannot start: {failure}", arguments.world))
     })?;
-    let mut writer = match &arguments.trace {
-        Some(path) => Some(TraceWriter::create(path, arguments.force).map_err(files::refuse)?),
+    let create = match every {
+        Some(_) => TraceWriter::create_resumable,
+        None => TraceWriter::create,
+    };
+    let trace = match &arguments.trace {
+        Some(path) => {
+            let writer = create(path, arguments.force).map_err(files::refuse)?;
+            Some((path.clone(), writer))
+        }
         None => None,
     };
-    let (steps, step_size) = (
-        simulation.world().steps(),
-        simulation.world().spec.time.step,
-    );
-    let progress = Progress::new(steps, step_size, arguments.quiet);
-    let done = simulation.run(
-        |record: Record| match &mut writer {
-            Some(writer) => writer.write(&record),
-            None => Ok(()),
-        },
-        |state| {
-            progress.show(state.step);
-            if stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        },
-    );
-    progress.finish();
-    let done = done.map_err(Refusal::failed)?;
-    if let Some(writer) = writer {
-        writer.finish().map_err(Refusal::failed)?;
+    let summary = arguments.summary.clone();
+    let keeper = arguments.checkpoint.as_ref().zip(every);
+    Drive {
+        name: &arguments.world,
+        begin,
+        stop,
+        simulation,
+        trace,
+        summary: summary.map(|path| (path, arguments.force)),
+        keeper: keeper.map(|(path, every)| Keeper {
+            path: path.clone(),
+            every,
+            overwrite: arguments.force,
+        }),
+        quiet: arguments.quiet,
     }
-    if let Some(path) = &arguments.summary {
-        write_summary(path, &done, arguments.force).map_err(Refusal::failed)?;
-    }
-    if !arguments.quiet {
-        print(&summary::table(&done, begin.elapsed()))?;
-    }
-    judge(&arguments.world, &done)
+    .start()
 }
 
-fn judge(world: &str, done: &Summary) -> Result<(), Refusal> {
-    match done.outcome {
-        Outcome::Completed => Ok(()),
-        Outcome::Interrupted => Err(Refusal::Failed(format!(
-            "Stopped at time {}; what was written is whole up to there.",
-            summary::time(done.time)
-        ))),
-        Outcome::Failed => Err(Refusal::failed(format!(
-            "{world} cannot go on: {}",
-            done.error.as_deref().unwrap_or("for an unknown reason")
-        ))),
-    }
-}
-
-/// A flag that the first Ctrl-C raises; the second ends the program at once.
-fn stop_on_interrupt() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the program at once, which loses the summary only.
-    let _ = ctrlc::set_handler(move || {
-        if raised.swap(true, Ordering::Relaxed) {
-            std::process::exit(1);
+/// The number of steps between checkpoints, if there are to be any.
+fn every<const D: usize>(
+    arguments: &RunArguments,
+    world: &World<D>,
+) -> Result<Option<u64>, Refusal> {
+    let Some(time) = arguments.every else {
+        return Ok(None);
+    };
+    match on_a_step("--every", time, world.spec.time.step, 1) {
+        Ok(steps) => Ok(Some(steps)),
+        Err(problem) => {
+            let hint = problem.hint.map(|hint| format!("; {hint}"));
+            let (what, hint) = (problem.what, hint.unwrap_or_default());
+            Err(Refusal::bad_input(format!("--every {time}: {what}{hint}")))
         }
-    });
-    stop
+    }
 }

@@ -18,9 +18,10 @@
 //! A body that was touched has its velocity read as it stands: the engine's velocity after
 //! a contact is the one it moves on with.
 
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::dynamics::{Drive, Engine, Physics, Snapshot, Touch, Touched};
+use crate::dynamics::{Drive, Engine, Physics, Snapshot, Touch, Touched, Unusable};
 use crate::law::{Flock, State};
 use crate::math::{Vector, axis, direction};
 use crate::shape::{In, Obstacle};
@@ -91,16 +92,110 @@ pub struct Bodies<const D: usize> {
     force_cuts: u64,
 }
 
+/// What bodies must know between two steps, besides their world, to go on bit for bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BodiesState<const D: usize> {
+    engine: Vec<u8>,
+    step: u64,
+    velocities: Vec<Vector<D>>,
+    headings: Vec<Vector<D>>,
+    wanted_before: Vec<Vector<D>>,
+    force_cuts: u64,
+}
+
 impl<const D: usize> Bodies<D> {
     /// The bodies of a world at its start, about to obey `flock`.
     pub fn new(world: &World<D>, flock: &mut Flock<D>) -> Result<Self, Failure>
     where
         In<D>: Engine<D>,
     {
+        let mut bodies = Self::around(<In<D> as Engine<D>>::physics(world), world);
+        // Set the engine's velocities back by half a substep.
+        bodies.ask(flock);
+        bodies.decide()?;
+        bodies.force_cuts = 0;
+        for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
+            *velocity -= applied * (0.5 * bodies.step_size / bodies.substeps);
+        }
+        bodies.physics.set_velocities(&bodies.engine_velocities);
+        Ok(bodies)
+    }
+
+    /// The bodies of a world as they were when [`Bodies::capture`] gave `state`. Until the
+    /// next step there are no [`Bodies::touches`].
+    ///
+    /// # Errors
+    /// Where the state is not one of this world.
+    pub fn restore(world: &World<D>, state: BodiesState<D>) -> Result<Self, Unusable>
+    where
+        In<D>: Engine<D>,
+    {
+        let agents = world.agents.len();
+        let lists = [&state.velocities, &state.headings, &state.wanted_before];
+        if lists.map(Vec::len) != [agents; 3] {
+            return Err(Unusable("it has another number of agents".to_owned()));
+        }
+        let physics = <In<D> as Engine<D>>::restore(world, &state.engine)?;
+        let mut bodies = Self {
+            step: state.step,
+            velocities: state.velocities,
+            headings: state.headings,
+            wanted_before: state.wanted_before,
+            force_cuts: state.force_cuts,
+            ..Self::around(physics, world)
+        };
+        let (positions, velocities) = (&mut bodies.positions, &mut bodies.engine_velocities);
+        bodies.physics.read(positions, velocities);
+        Ok(bodies)
+    }
+
+    /// What [`Bodies::restore`] needs.
+    ///
+    /// # Errors
+    /// Where the engine cannot tell its state.
+    pub fn capture(&self) -> Result<BodiesState<D>, Unusable> {
+        // Every field is named, so that a new one cannot be forgotten here.
+        let Self {
+            physics,
+            step,
+            velocities,
+            headings,
+            wanted_before,
+            force_cuts,
+            // Part of the world, and of the time.
+            groups: _,
+            obstacles: _,
+            masses: _,
+            force_limits: _,
+            gravity: _,
+            step_size: _,
+            substeps: _,
+            // Known to the engine as well.
+            positions: _,
+            engine_velocities: _,
+            // Computed anew in every step.
+            next: _,
+            wanted: _,
+            applied: _,
+            forces: _,
+            touches: _,
+        } = self;
+        Ok(BodiesState {
+            engine: physics.save()?,
+            step: *step,
+            velocities: velocities.clone(),
+            headings: headings.clone(),
+            wanted_before: wanted_before.clone(),
+            force_cuts: *force_cuts,
+        })
+    }
+
+    /// Bodies that this engine moves, before anything has happened to them.
+    fn around(physics: Box<dyn Physics<D>>, world: &World<D>) -> Self {
         let agents = &world.agents;
         let zeros = vec![Vector::zeros(); agents.len()];
         let mut bodies = Self {
-            physics: <In<D> as Engine<D>>::physics(world),
+            physics,
             groups: agents.group.clone(),
             masses: agents.mass.clone(),
             force_limits: agents.force_limit.clone(),
@@ -122,15 +217,7 @@ impl<const D: usize> Bodies<D> {
             force_cuts: 0,
         };
         bodies.turn();
-        // Set the engine's velocities back by half a substep.
-        bodies.ask(flock);
-        bodies.decide()?;
-        bodies.force_cuts = 0;
-        for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
-            *velocity -= applied * (0.5 * bodies.step_size / bodies.substeps);
-        }
-        bodies.physics.set_velocities(&bodies.engine_velocities);
-        Ok(bodies)
+        bodies
     }
 
     /// Takes one step. One that fails leaves the state before it.

@@ -5,7 +5,10 @@
 
 mod bodies;
 
-pub use bodies::{Bodies, Failure};
+pub use bodies::{Bodies, BodiesState, Failure};
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use crate::math::Vector;
 use crate::shape::{Geometry, In, Obstacle};
@@ -38,7 +41,7 @@ pub struct Drive<'a, const D: usize> {
 }
 
 /// What a body touched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Touched {
     /// Another agent, by index.
     Agent(usize),
@@ -86,12 +89,30 @@ pub trait Physics<const D: usize>: Send {
 
     /// The agents that the engine gave up because their state became non-finite.
     fn lost(&self) -> Vec<usize>;
+
+    /// Everything that the engine must know to go on bit for bit, in a form of its own:
+    /// forces apart, which each step sets anew.
+    ///
+    /// # Errors
+    /// What keeps the engine's state from being written.
+    fn save(&self) -> Result<Vec<u8>, Unusable>;
 }
+
+/// A state that cannot be saved or taken up again.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct Unusable(pub String);
 
 /// Access to the engine of one dimension; implemented by [`In<2>`] and [`In<3>`].
 pub trait Engine<const D: usize>: Geometry<D> {
     /// The bodies of a world, at its start.
     fn physics(world: &World<D>) -> Box<dyn Physics<D>>;
+
+    /// The bodies of a world as they were when [`Physics::save`] gave `saved`.
+    ///
+    /// # Errors
+    /// Where `saved` is not what the same version saved of the same world.
+    fn restore(world: &World<D>, saved: &[u8]) -> Result<Box<dyn Physics<D>>, Unusable>;
 }
 
 #[path = "."]

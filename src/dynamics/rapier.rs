@@ -7,7 +7,7 @@ use super::rapier::prelude::{
     ColliderBuilder, ColliderHandle, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
 use super::{D, geometry};
-use crate::dynamics::{Drive, Engine, Physics, Touch, Touched};
+use crate::dynamics::{Drive, Engine, Physics, Touch, Touched, Unusable};
 use crate::math::Vector;
 use crate::shape::In;
 use crate::world::World;
@@ -19,6 +19,31 @@ impl Engine<D> for In<D> {
     fn physics(world: &World<D>) -> Box<dyn Physics<D>> {
         Box::new(Rapier::new(world))
     }
+
+    fn restore(world: &World<D>, saved: &[u8]) -> Result<Box<dyn Physics<D>>, Unusable> {
+        let engine: PhysicsWorld = postcard::from_bytes(saved).map_err(unusable)?;
+        let agents = world.agents.len();
+        let mut bodies = vec![None; agents];
+        for (handle, body) in engine.bodies.iter() {
+            if let Some(place) = bodies.get_mut(body.user_data as usize) {
+                *place = Some(handle);
+            }
+        }
+        let bodies: Option<Vec<_>> = bodies.into_iter().collect();
+        match bodies {
+            Some(bodies) if engine.colliders.len() == agents + world.obstacles.len() => {
+                Ok(Box::new(Rapier {
+                    world: engine,
+                    bodies,
+                }))
+            }
+            _ => Err(Unusable("it is the state of another world".to_owned())),
+        }
+    }
+}
+
+fn unusable(error: postcard::Error) -> Unusable {
+    Unusable(error.to_string())
 }
 
 /// The agents and obstacles of a world in rapier.
@@ -171,6 +196,10 @@ impl Physics<D> for Rapier {
         lost.filter_map(|body| self.world.bodies.get(*body))
             .map(|body| body.user_data as usize)
             .collect()
+    }
+
+    fn save(&self) -> Result<Vec<u8>, Unusable> {
+        postcard::to_stdvec(&self.world).map_err(unusable)
     }
 }
 

@@ -2,13 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use serde::{Deserialize, Serialize};
+
 use crate::dynamics::{Touch, Touched};
 use crate::trace::record::{Contact, ContactCount, Partner};
 
 /// Follows contacts from step to step. An episode runs from the first step in which a
 /// pair touches to the first in which it does not; every step is looked at, so nothing
 /// falls between the frames of a trace.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Ledger {
     open: BTreeMap<(usize, Touched), Contact>,
     pairs: BTreeSet<(usize, Touched)>,

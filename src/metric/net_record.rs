@@ -1,5 +1,7 @@
 //! The analysis of the net that a frame may carry.
 
+use serde::{Deserialize, Serialize};
+
 use crate::dynamics::Snapshot;
 use crate::math::{AlphaPair, Bump, Fade, Vector};
 use crate::net::{
@@ -15,7 +17,7 @@ const DEFECT_WEIGHT: f64 = 1.0;
 
 /// Analyses the net of a world state by state, and remembers the last one for the links
 /// that come and go.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct NetAnalysis {
     before: Option<Net>,
 }

@@ -1,12 +1,14 @@
 //! Undirected nets without weights: who is within range of whom.
 
+use serde::{Deserialize, Serialize};
+
 use crate::math::Vector;
 use crate::net::{Adjacency, Components};
 use crate::sense::Cells;
 
 /// An undirected graph on the agents. [`Net::new`] is the uniform net of Olfati-Saber
 /// (2003), (8): agents at most a range apart are joined.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Net {
     agents: usize,
     edges: Vec<[usize; 2]>,

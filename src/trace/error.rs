@@ -33,12 +33,26 @@ pub enum TraceError {
     /// The file could not be created, written, opened or read.
     #[error("cannot {action} {name}: {source}")]
     Io {
-        /// What was tried: "create", "write", "open" or "read".
+        /// What was tried: "create", "write", "open", "read" or "take up".
         action: &'static str,
         /// The file.
         name: String,
         /// What the system says.
         source: io::Error,
+    },
+    /// Another run is writing the file.
+    #[error("{name} is being written by another run")]
+    InUse {
+        /// The file.
+        name: String,
+    },
+    /// The trace to go on with is not what it was.
+    #[error("{name} is not the trace that was being written: {problem}")]
+    NotTheSame {
+        /// The file.
+        name: String,
+        /// What is different.
+        problem: String,
     },
     /// A record holds a number that JSON cannot hold; nothing of it was written.
     #[error("{name}: {record} cannot be written: {problem}")]

@@ -1,8 +1,11 @@
 //! Files to write: created with care for what is already there.
 
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
+
+use crc32fast::Hasher;
+use serde::{Deserialize, Serialize};
 
 use super::TraceError;
 
@@ -11,8 +14,17 @@ use super::TraceError;
 #[derive(Debug)]
 pub struct TraceFile {
     file: File,
-    /// Whether the file still holds something old.
-    stale: bool,
+    /// Length to cut the file to before the first write.
+    cut: Option<u64>,
+    length: u64,
+    sum: Hasher,
+}
+
+/// What a file holds: its length, and the CRC-32 of all its bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub(super) struct Mark {
+    length: u64,
+    sum: u32,
 }
 
 impl TraceFile {
@@ -31,17 +43,85 @@ impl TraceFile {
         let stale = file
             .metadata()
             .is_ok_and(|data| data.is_file() && data.len() > 0);
-        Ok(Self { file, stale })
+        Ok(Self {
+            file,
+            cut: stale.then_some(0),
+            length: 0,
+            sum: Hasher::new(),
+        })
+    }
+
+    /// Opens a file to go on behind `mark`, up to which it must hold what it held then.
+    pub(super) fn reopen(path: &Path, mark: &Mark) -> Result<Self, TraceError> {
+        let other = |problem: String| TraceError::NotTheSame {
+            name: path.display().to_string(),
+            problem,
+        };
+        if path.exists() && !path.is_file() && !path.is_dir() {
+            return Err(other("it is no regular file".to_owned()));
+        }
+        let mut options = OpenOptions::new();
+        let file = options.read(true).write(true).open(path);
+        let mut file = file.map_err(|e| explain(path, "open", e))?;
+        lock(&file, path)?;
+        let (mut sum, mut left) = (Hasher::new(), mark.length);
+        let mut buffer = vec![0; 1 << 16];
+        while left > 0 {
+            let most = buffer
+                .len()
+                .min(usize::try_from(left).unwrap_or(usize::MAX));
+            match file.read(&mut buffer[..most]) {
+                Ok(0) => {
+                    let (found, held) = (mark.length - left, mark.length);
+                    return Err(other(format!(
+                        "it has {found} bytes, and had {held} already"
+                    )));
+                }
+                Ok(count) => {
+                    sum.update(&buffer[..count]);
+                    left -= count as u64;
+                }
+                Err(e) if e.kind() == io::ErrorKind::Interrupted => {}
+                Err(e) => return Err(explain(path, "read", e)),
+            }
+        }
+        if sum.clone().finalize() != mark.sum {
+            let held = mark.length;
+            return Err(other(format!("its first {held} bytes have changed")));
+        }
+        Ok(Self {
+            file,
+            cut: Some(mark.length),
+            length: mark.length,
+            sum,
+        })
+    }
+
+    /// Keeps other runs from writing the file, as far as the system can.
+    pub(super) fn lock(&self, path: &Path) -> Result<(), TraceError> {
+        lock(&self.file, path)
+    }
+
+    /// What was written so far; it is safe on the disk when this returns.
+    pub(super) fn mark(&self) -> io::Result<Mark> {
+        self.file.sync_data()?;
+        Ok(Mark {
+            length: self.length,
+            sum: self.sum.clone().finalize(),
+        })
     }
 }
 
 impl Write for TraceFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if self.stale {
-            self.file.set_len(0)?;
-            self.stale = false;
+        if let Some(length) = self.cut {
+            self.file.set_len(length)?;
+            self.cut = None;
         }
-        self.file.write(bytes)
+        let written = self.file.write(bytes)?;
+        self.length += written as u64;
+        self.sum.update(&bytes[..written]);
+        Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -49,9 +129,23 @@ impl Write for TraceFile {
     }
 }
 
+fn lock(file: &File, path: &Path) -> Result<(), TraceError> {
+    if cfg!(windows) {
+        // There a lock would keep others from reading as well.
+        return Ok(());
+    }
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(TraceError::InUse {
+            name: path.display().to_string(),
+        }),
+        // Not every file system has locks.
+        _ => Ok(()),
+    }
+}
+
 /// Writes a whole file or none of it: to a neighbour first, which then takes the
 /// name.
-pub(super) fn write_whole(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), TraceError> {
+pub(crate) fn write_whole(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), TraceError> {
     let Some(path) = to_replace(path, overwrite)? else {
         // A device or a pipe must not be replaced by a file.
         return fs::write(path, bytes).map_err(|e| explain(path, "write", e));
@@ -69,7 +163,7 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8], overwrite: bool) -> Result<
 }
 
 /// Whether [`write_whole`] could begin, found out without changing what is there.
-pub(super) fn check_whole(path: &Path, overwrite: bool) -> Result<(), TraceError> {
+pub(crate) fn check_whole(path: &Path, overwrite: bool) -> Result<(), TraceError> {
     if let Some(path) = to_replace(path, overwrite)? {
         let (part, _) = create_part(&path)?;
         // Best effort: the next process with the same number removes it as well.
@@ -127,7 +221,7 @@ fn rename(from: &Path, to: &Path, overwrite: bool) -> io::Result<()> {
 
 /// An error that says what is wrong with the path, where the system's words leave
 /// one guessing.
-pub(super) fn explain(path: &Path, action: &'static str, source: io::Error) -> TraceError {
+pub(crate) fn explain(path: &Path, action: &'static str, source: io::Error) -> TraceError {
     let name = path.display().to_string();
     let parent = path
         .parent()

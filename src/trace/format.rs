@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use serde::{Deserialize, Serialize};
+
 use super::TraceError;
 
 /// How the records of a trace are laid out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Layout {
     /// JSON Lines: one record per line (`.jsonl`, `.ndjson`).
     #[default]
@@ -15,7 +17,7 @@ pub enum Layout {
 }
 
 /// How the bytes of a trace are compressed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Compression {
     /// Not at all.
     #[default]
@@ -27,7 +29,7 @@ pub enum Compression {
 }
 
 /// Layout and compression of a trace; plain JSON Lines by default.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Format {
     /// How the records are laid out.
     pub layout: Layout,

@@ -49,11 +49,12 @@
 //! ```
 
 mod error;
-mod file;
+pub(crate) mod file;
 mod finite;
 mod format;
 mod reader;
 pub mod record;
+mod sink;
 mod split;
 mod summary;
 mod writer;
@@ -64,4 +65,4 @@ pub use format::{Compression, Format, Layout};
 pub use reader::TraceReader;
 pub use record::Record;
 pub use summary::{check_summary, write_summary};
-pub use writer::TraceWriter;
+pub use writer::{TracePosition, TraceWriter};

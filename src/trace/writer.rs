@@ -4,12 +4,12 @@ use std::fmt;
 use std::io::{self, Write};
 use std::path::Path;
 
-use flate2::write::GzEncoder;
-use zstd::stream::write::Encoder as ZstdEncoder;
+use serde::{Deserialize, Serialize};
 
-use super::file::TraceFile;
+use super::file::{Mark, TraceFile};
 use super::format::{Compression, Format, Layout};
 use super::record::{Partner, Record};
+use super::sink::Sink;
 use super::{TraceError, finite};
 
 /// Compressed output is flushed when this much text waits in the compressor, so
@@ -31,10 +31,22 @@ pub struct TraceWriter<W: Write = TraceFile> {
     /// Where the trace goes, until the first record opens the sink.
     target: Option<W>,
     sink: Option<Sink<W>>,
+    /// Whether the trace can be taken up again at any of its records.
+    resumable: bool,
     /// The text of one record, kept to save allocations.
     text: Vec<u8>,
     /// Bytes of text since the last flush.
     waiting: usize,
+}
+
+/// Where a resumable trace stands between two records: what its file holds so far, and
+/// what will come next of the records written already.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TracePosition {
+    format: Format,
+    mark: Mark,
+    /// Text of records that is not in the file yet: what is compressed comes in pieces.
+    waiting: Vec<u8>,
 }
 
 impl TraceWriter {
@@ -44,6 +56,71 @@ impl TraceWriter {
         let format = Format::of(path)?;
         let file = TraceFile::open(path, overwrite)?;
         Ok(Self::named(path.display().to_string(), file, format))
+    }
+
+    /// As [`TraceWriter::create`], for a trace that can be taken up again after a crash:
+    /// see [`TraceWriter::position`]. Where it is compressed, it is written as a sequence
+    /// of gzip members or zstd frames rather than as one; readers join them. The bytes do
+    /// not depend on whether, where and how often the trace is taken up again.
+    pub fn create_resumable(path: &Path, overwrite: bool) -> Result<Self, TraceError> {
+        let mut writer = Self::create(path, overwrite)?;
+        if let Some(file) = &writer.target {
+            file.lock(path)?;
+        }
+        writer.resumable = true;
+        Ok(writer)
+    }
+
+    /// Goes on where a resumable trace stood, and takes away what its file holds beyond
+    /// that with the next record. The format is the position's, whatever the file's name.
+    ///
+    /// # Errors
+    /// [`TraceError::NotTheSame`] where the file does not hold what it held then.
+    pub fn resume(path: &Path, position: &TracePosition) -> Result<Self, TraceError> {
+        let TracePosition {
+            format,
+            mark,
+            waiting,
+        } = position;
+        let file = TraceFile::reopen(path, mark)?;
+        let mut writer = Self::named(path.display().to_string(), file, *format);
+        writer.resumable = true;
+        writer.waiting = waiting.len();
+        if *mark != Mark::default()
+            && let Some(file) = writer.target.take()
+        {
+            let sink = Sink::resumable(file, format.compression, waiting.clone());
+            writer.sink = Some(sink);
+        }
+        Ok(writer)
+    }
+
+    /// Where the trace stands now. What the file holds up to there is safe on the disk
+    /// when this returns.
+    ///
+    /// # Errors
+    /// Where the disk fails, where an earlier record could not be written, and for
+    /// compressed traces that were not made by [`TraceWriter::create_resumable`].
+    pub fn position(&mut self) -> Result<TracePosition, TraceError> {
+        let state = match (&self.sink, &self.target) {
+            (Some(sink), _) => sink.state(),
+            (None, target) => target.as_ref().map(|file| (file, &[][..])),
+        };
+        let Some((file, waiting)) = state else {
+            return Err(TraceError::Io {
+                action: "take up",
+                name: self.name.clone(),
+                source: io::Error::other("it is one compressed stream, or broken"),
+            });
+        };
+        match file.mark() {
+            Ok(mark) => Ok(TracePosition {
+                format: self.format,
+                mark,
+                waiting: waiting.to_vec(),
+            }),
+            Err(e) => Err(self.failure(e)),
+        }
     }
 }
 
@@ -60,6 +137,7 @@ impl<W: Write> TraceWriter<W> {
             format,
             target: Some(target),
             sink: None,
+            resumable: false,
             text: Vec::new(),
             waiting: 0,
         }
@@ -99,13 +177,19 @@ impl<W: Write> TraceWriter<W> {
             self.put().map_err(|e| self.failure(e))?;
         }
         let sink = self.sink.take().ok_or_else(broken);
-        sink.and_then(Sink::finish).map_err(|e| self.failure(e))
+        sink.and_then(Sink::finish)
+            .map_err(|e| self.failure(e))
+            .map(drop)
     }
 
     /// Hands the text to the sink, which the first call opens.
     fn put(&mut self) -> io::Result<()> {
         if let Some(target) = self.target.take() {
-            self.sink = Some(Sink::new(target, self.format.compression)?);
+            let compression = self.format.compression;
+            self.sink = Some(match self.resumable {
+                true => Sink::resumable(target, compression, Vec::new()),
+                false => Sink::new(target, compression)?,
+            });
             // The header alone already says what ran.
             self.waiting = FLUSH_EVERY;
         }
@@ -169,52 +253,5 @@ fn describe(record: &Record) -> String {
             )
         }
         Record::Summary(_) => "the summary".to_owned(),
-    }
-}
-
-/// A compressor, or none.
-enum Sink<W: Write> {
-    Plain(W),
-    Gzip(GzEncoder<W>),
-    Zstd(ZstdEncoder<'static, W>),
-}
-
-impl<W: Write> Sink<W> {
-    fn new(target: W, compression: Compression) -> io::Result<Self> {
-        Ok(match compression {
-            Compression::None => Self::Plain(target),
-            // Digits hardly compress better with more effort: 7 % for seven times the time.
-            Compression::Gzip => Self::Gzip(GzEncoder::new(target, flate2::Compression::fast())),
-            Compression::Zstd => {
-                let mut encoder = ZstdEncoder::new(target, zstd::DEFAULT_COMPRESSION_LEVEL)?;
-                encoder.include_checksum(true)?;
-                Self::Zstd(encoder)
-            }
-        })
-    }
-
-    fn write_all(&mut self, text: &[u8]) -> io::Result<()> {
-        match self {
-            Self::Plain(target) => target.write_all(text),
-            Self::Gzip(encoder) => encoder.write_all(text),
-            Self::Zstd(encoder) => encoder.write_all(text),
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Self::Plain(target) => target.flush(),
-            Self::Gzip(encoder) => encoder.flush(),
-            Self::Zstd(encoder) => encoder.flush(),
-        }
-    }
-
-    fn finish(self) -> io::Result<()> {
-        let mut target = match self {
-            Self::Plain(target) => target,
-            Self::Gzip(encoder) => encoder.finish()?,
-            Self::Zstd(encoder) => encoder.finish()?,
-        };
-        target.flush()
     }
 }

@@ -4,5 +4,6 @@ mod cut;
 mod files;
 mod foreign;
 mod non_finite;
+mod resume;
 mod round_trip;
 mod sample;

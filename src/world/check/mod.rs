@@ -67,6 +67,21 @@ pub fn whole_steps(time: f64, step: f64) -> Option<u64> {
     whole.then_some(nearest as u64)
 }
 
+/// As [`whole_steps`], for a field that must have `least` or more.
+///
+/// # Errors
+/// What is wrong with the field of this path.
+pub fn on_a_step(path: &str, time: f64, step: f64, least: u64) -> Result<u64, Problem> {
+    let steps = whole_steps(time, step).filter(|steps| *steps >= least);
+    steps.ok_or_else(|| {
+        let what = format!("must be a whole number of steps of {}", number(step));
+        Problem {
+            hint: nearest_times(time, step),
+            ..Problem::new(path, what)
+        }
+    })
+}
+
 /// The number of agents of a group: as given, or as many as its positions make.
 pub fn size(group: &GroupSpec) -> Option<usize> {
     start::positions(group).or(group.count)
@@ -177,13 +192,8 @@ impl Check {
 
     /// A time must be a whole number of steps, and at least some number of them.
     fn on_a_step(&mut self, path: &str, time: f64, step: f64, least: u64) {
-        if whole_steps(time, step).is_none_or(|steps| steps < least) {
-            let what = format!("must be a whole number of steps of {}", number(step));
-            self.problems.push(Problem {
-                hint: nearest_times(time, step),
-                ..Problem::new(path, what)
-            });
-        }
+        self.problems
+            .extend(on_a_step(path, time, step, least).err());
     }
 
     /// What may be absent must still be finite; the schema cannot tell, since

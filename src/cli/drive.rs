@@ -1,0 +1,184 @@
+//! A run on its way: from a simulation, new or taken up again, to its files.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use volary::checkpoint::{Checkpoint, Recording};
+use volary::dynamics::Snapshot;
+use volary::simulation::{Pause, Simulation};
+use volary::trace::record::{Outcome, Record, Summary};
+use volary::trace::{TraceError, TraceWriter, write_summary};
+
+use super::progress::Progress;
+use super::{Refusal, files, print, summary};
+
+/// A simulation, and the files that it writes.
+pub(super) struct Drive<'a, const D: usize> {
+    /// What messages call it.
+    pub(super) name: &'a str,
+    pub(super) begin: Instant,
+    /// Whether someone wants it to stop.
+    pub(super) stop: Arc<AtomicBool>,
+    pub(super) simulation: Simulation<D>,
+    pub(super) trace: Option<(PathBuf, TraceWriter)>,
+    /// The file of the summary, and whether it may overwrite another.
+    pub(super) summary: Option<(PathBuf, bool)>,
+    pub(super) keeper: Option<Keeper>,
+    pub(super) quiet: bool,
+}
+
+/// Where checkpoints go, and when.
+pub(super) struct Keeper {
+    pub(super) path: PathBuf,
+    /// Steps between them.
+    pub(super) every: u64,
+    /// Whether the first may overwrite what is there.
+    pub(super) overwrite: bool,
+}
+
+impl<const D: usize> Drive<'_, D> {
+    /// Runs a new simulation to its end.
+    pub(super) fn start(mut self) -> Result<(), Refusal> {
+        let begun = self.simulation.begin(&mut recorder(&mut self.trace));
+        begun.map_err(Refusal::failed)?;
+        self.keep_checkpoint(false)?;
+        self.go_on()
+    }
+
+    /// Takes a simulation to its end, writes what was asked for and prints a summary.
+    pub(super) fn go_on(mut self) -> Result<(), Refusal> {
+        let world = self.simulation.world();
+        let progress = Progress::new(world.steps(), world.spec.time.step, self.quiet);
+        let done = self.run(&progress);
+        progress.finish();
+        let done = done?;
+        if let Some((_, writer)) = self.trace.take() {
+            writer.finish().map_err(Refusal::failed)?;
+        }
+        if let Some((path, overwrite)) = &self.summary {
+            write_summary(path, &done, *overwrite).map_err(Refusal::failed)?;
+        }
+        if done.outcome == Outcome::Completed {
+            self.keep_checkpoint(true)?;
+        }
+        if !self.quiet {
+            print(&summary::table(&done, self.begin.elapsed()))?;
+        }
+        self.judge(&done)
+    }
+
+    fn run(&mut self, progress: &Progress) -> Result<Summary, Refusal> {
+        let stop = Arc::clone(&self.stop);
+        let steps = self.simulation.world().steps();
+        let pause = loop {
+            let taken = self.simulation.snapshot().step;
+            let every = self.keeper.as_ref().map_or(u64::MAX, |keeper| keeper.every);
+            let end = (taken / every + 1).saturating_mul(every).min(steps);
+            let mut watch = |state: &Snapshot<'_, D>| {
+                progress.show(state.step);
+                match stop.load(Ordering::Relaxed) {
+                    true => ControlFlow::Break(()),
+                    false => ControlFlow::Continue(()),
+                }
+            };
+            let advanced = self
+                .simulation
+                .advance(end, &mut recorder(&mut self.trace), &mut watch);
+            let pause = advanced.map_err(Refusal::failed)?;
+            // A state that fails fails again; one at the end has nothing before it.
+            if matches!(pause, Pause::Failed(_)) || self.simulation.snapshot().step >= steps {
+                break pause;
+            }
+            self.keep_checkpoint(false)?;
+            if pause == Pause::Stopped {
+                break pause;
+            }
+        };
+        let done = self
+            .simulation
+            .finish(pause, &mut recorder(&mut self.trace));
+        done.map_err(Refusal::failed)
+    }
+
+    /// Makes a checkpoint, where there are to be any.
+    fn keep_checkpoint(&mut self, complete: bool) -> Result<(), Refusal> {
+        let Some(keeper) = &mut self.keeper else {
+            return Ok(());
+        };
+        let mut recording = Recording::new(keeper.every);
+        if let Some((path, writer)) = &mut self.trace {
+            let position = writer.position().map_err(Refusal::failed)?;
+            recording = recording.with_trace(&files::absolute(path), position);
+        }
+        if let Some((path, _)) = &self.summary {
+            recording = recording.with_summary(&files::absolute(path));
+        }
+        if complete {
+            recording = recording.completed();
+        }
+        let checkpoint = Checkpoint::of(&self.simulation).map_err(Refusal::failed)?;
+        let written = checkpoint
+            .with_recording(recording)
+            .write(&keeper.path, keeper.overwrite);
+        keeper.overwrite = true;
+        written.map_err(Refusal::failed)
+    }
+
+    fn judge(&self, done: &Summary) -> Result<(), Refusal> {
+        match done.outcome {
+            Outcome::Completed => Ok(()),
+            Outcome::Interrupted => {
+                let resume = self
+                    .keeper
+                    .as_ref()
+                    .map(|keeper| format!(" `volary resume {}` goes on.", keeper.path.display()));
+                Err(Refusal::Failed(format!(
+                    "Stopped at time {}; what was written is whole up to there.{}",
+                    summary::time(done.time),
+                    resume.unwrap_or_default()
+                )))
+            }
+            Outcome::Failed => Err(Refusal::failed(format!(
+                "{} cannot go on: {}",
+                self.name,
+                done.error.as_deref().unwrap_or("for an unknown reason")
+            ))),
+        }
+    }
+}
+
+/// What takes the records of a run: its trace, or nothing.
+fn recorder(
+    trace: &mut Option<(PathBuf, TraceWriter)>,
+) -> impl FnMut(Record) -> Result<(), TraceError> {
+    |record| match trace {
+        Some((_, writer)) => writer.write(&record),
+        None => Ok(()),
+    }
+}
+
+/// Does something on this many threads, or on all cores.
+pub(super) fn on_threads(
+    threads: Option<u16>,
+    work: impl FnOnce() -> Result<(), Refusal> + Send,
+) -> Result<(), Refusal> {
+    let threads = usize::from(threads.unwrap_or(0));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.map_err(Refusal::failed)?.install(work)
+}
+
+/// A flag that the first Ctrl-C raises; the second ends the program at once.
+pub(super) fn stop_on_interrupt() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let raised = Arc::clone(&stop);
+    // Without a handler Ctrl-C ends the program at once, which loses the summary only.
+    let _ = ctrlc::set_handler(move || {
+        if raised.swap(true, Ordering::Relaxed) {
+            std::process::exit(1);
+        }
+    });
+    stop
+}
