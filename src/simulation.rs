@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::dynamics::{Bodies, Engine, Failure, Snapshot};
-use crate::law::{Flock, Law, build};
+use crate::law::{Flock, Law};
 use crate::math::Vector;
 use crate::metric::{Ledger, Net, measure};
 use crate::sense::active_obstacles;
@@ -41,9 +41,7 @@ where
     /// # Errors
     /// Where the laws give no finite acceleration at the start.
     pub fn with_laws(world: World<D>, more: Vec<Box<dyn Law<D>>>) -> Result<Self, Failure> {
-        let mut laws = build(&world);
-        laws.extend(more);
-        let mut flock = Flock::new(laws);
+        let mut flock = Flock::of_world(&world, more);
         let bodies = Bodies::new(&world, &mut flock)?;
         Ok(Self {
             world,
@@ -193,6 +191,7 @@ impl<const D: usize> Simulation<D> {
                 .alpha_interaction()
                 .filter(|_| world.spec.record.edges)
                 .map(|alpha| Net::new(state.positions, alpha.range).edges().to_vec()),
+            links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
         }
     }
 

@@ -80,6 +80,7 @@ pub fn frame(step: u64) -> Frame {
             distance: 0.5,
         }]),
         edges: Some(vec![[0, 1]]),
+        links: Some(vec![[0, 1], [1, 0]]),
     }
 }
 

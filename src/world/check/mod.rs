@@ -4,6 +4,9 @@
 
 mod law;
 mod obstacle;
+mod sensing;
+
+pub use law::velocity_to_follow;
 
 use super::problem::Problem;
 use super::spec::*;
@@ -49,9 +52,8 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     for (index, obstacle) in world.obstacles.iter().enumerate() {
         check.obstacle(&format!("obstacles[{index}]"), obstacle);
     }
-    for (index, law) in world.laws.iter().enumerate() {
-        check.law(&format!("laws[{index}]"), law, &world.laws);
-    }
+    check.memory_of_delays(world);
+    check.laws(world);
     check.problems
 }
 
@@ -72,11 +74,6 @@ pub fn size(group: &GroupSpec) -> Option<usize> {
         PlacementSpec::Explicit(positions) => Some(positions.len()),
         PlacementSpec::Box(_) | PlacementSpec::Ball(_) => group.count,
     }
-}
-
-/// Whether a navigation law names a velocity other than rest.
-pub fn moves(navigation: &NavigationSpec) -> bool {
-    navigation.velocity.as_deref().is_some_and(is_nonzero)
 }
 
 /// Largest size of a number in a vector.
@@ -199,6 +196,9 @@ impl Check {
                 masses.len()
             );
             self.add(format!("{path}.mass"), what);
+        }
+        if let Some(sensing) = &group.sensing {
+            self.sensing(&format!("{path}.sensing"), sensing, count);
         }
         let path = format!("{path}.velocities");
         match &group.velocities {

@@ -3,12 +3,14 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::SensingSpec;
+
 /// A group of agents: balls that share how they are placed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Group")]
 pub struct GroupSpec {
-    /// Name of the group, for reports.
+    /// Name of the group, for reports and scopes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Number of agents; may be left out where positions are listed.
@@ -31,6 +33,9 @@ pub struct GroupSpec {
     /// How fast the agents start; at rest when absent.
     #[serde(default)]
     pub velocities: VelocitySpec,
+    /// How the agents perceive others; absent means without limits or errors.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sensing: Option<SensingSpec>,
 }
 
 /// One positive number for all agents of a group, or a list with one for each.

@@ -10,6 +10,8 @@
 mod agents;
 mod law;
 mod obstacle;
+mod scope;
+mod sensing;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,10 +20,13 @@ pub use agents::{
     BallSpec, BoxSpec, GroupSpec, PerAgent, PlacementSpec, VelocityBoxSpec, VelocitySpec,
 };
 pub use law::{
-    ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, LawSpec, NavigationSpec,
-    ObstacleAvoidanceSpec, Steered,
+    ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
+    LawSpec, NavigationSpec, ObstacleAvoidanceSpec, Steered,
 };
 pub use obstacle::{ObstacleSpec, Rotation, ShapeSpec};
+pub(in crate::world) use scope::each_law_mut;
+pub use scope::{ScopeSpec, acts_on, each_law};
+pub use sensing::{BlockedBySpec, ConeSpec, FieldOfViewSpec, NoiseSpec, SensingSpec};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -128,6 +133,9 @@ pub struct RecordSpec {
     pub beta_agents: bool,
     /// Record the edges of the proximity net.
     pub edges: bool,
+    /// Record the links: who perceives whom within the largest range of the laws.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub links: bool,
 }
 
 impl Default for RecordSpec {
@@ -138,6 +146,7 @@ impl Default for RecordSpec {
             accelerations: false,
             beta_agents: false,
             edges: false,
+            links: false,
         }
     }
 }
