@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Bodies, BodiesState, Engine, Failure, Snapshot, Unusable};
-use crate::law::{Flock, Law, build};
+use crate::law::{Flock, Law};
 use crate::math::Vector;
 use crate::metric::{Ledger, NetAnalysis, measure};
 use crate::net::Net;
-use crate::sense::active_obstacles;
+use crate::sense::{History, active_obstacles};
 use crate::shape::In;
 use crate::trace::record::{
     BetaAgent, Bodies as BodyProperties, Contact, FORMAT, Frame, Header, LawAccelerations, Metrics,
@@ -22,6 +22,7 @@ use crate::world::World;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SimulationState<const D: usize> {
     bodies: BodiesState<D>,
+    history: History<D>,
     ledger: Ledger,
     net_analysis: NetAnalysis,
     smallest_agent_gap: Option<f64>,
@@ -67,7 +68,7 @@ where
     /// # Errors
     /// Where the laws give no finite acceleration at the start.
     pub fn with_laws(world: World<D>, more: Vec<Box<dyn Law<D>>>) -> Result<Self, Failure> {
-        let mut flock = flock(&world, more);
+        let mut flock = Flock::of_world(&world, more);
         let bodies = Bodies::new(&world, &mut flock)?;
         Ok(Self {
             world,
@@ -92,8 +93,10 @@ where
         state: SimulationState<D>,
     ) -> Result<Self, Unusable> {
         let bodies = Bodies::restore(&world, state.bodies)?;
+        let mut flock = Flock::of_world(&world, more);
+        *flock.history_mut() = state.history;
         Ok(Self {
-            flock: flock(&world, more),
+            flock,
             bodies,
             ledger: state.ledger,
             net_analysis: state.net_analysis,
@@ -102,13 +105,6 @@ where
             world,
         })
     }
-}
-
-/// The laws of a world, and some more.
-fn flock<const D: usize>(world: &World<D>, more: Vec<Box<dyn Law<D>>>) -> Flock<D> {
-    let mut laws = build(world);
-    laws.extend(more);
-    Flock::new(laws)
 }
 
 impl<const D: usize> Simulation<D> {
@@ -219,9 +215,9 @@ impl<const D: usize> Simulation<D> {
     pub fn capture(&self) -> Result<SimulationState<D>, Unusable> {
         // Every field is named, so that a new one cannot be forgotten here.
         let Self {
-            // Given again when it is restored. Laws have no memory.
+            // Given again when it is restored.
             world: _,
-            flock: _,
+            flock,
             bodies,
             ledger,
             net_analysis,
@@ -230,6 +226,8 @@ impl<const D: usize> Simulation<D> {
         } = self;
         Ok(SimulationState {
             bodies: bodies.capture()?,
+            // Laws have no memory.
+            history: flock.history().clone(),
             ledger: ledger.clone(),
             net_analysis: net_analysis.clone(),
             smallest_agent_gap: *smallest_agent_gap,
@@ -314,6 +312,7 @@ impl<const D: usize> Simulation<D> {
                 .then(|| self.net_analysis.record(world, &state))
                 .flatten()
                 .map(Box::new),
+            links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
         }
     }
 

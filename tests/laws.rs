@@ -5,7 +5,7 @@ mod common;
 use common::{flock_world, headings, spec, world};
 use proptest::prelude::*;
 use serde_json::json;
-use volary::law::{Flock, State, build};
+use volary::law::{Flock, State};
 use volary::math::Vector;
 use volary::net::{Net, structural_energy};
 use volary::shape::{Geometry, In, Pose};
@@ -25,7 +25,7 @@ fn accelerations<const D: usize>(
     velocities: &[Vector<D>],
 ) -> Vec<Vector<D>> {
     let mut out = vec![Vector::zeros(); positions.len()];
-    let mut flock = Flock::new(build(world));
+    let mut flock = Flock::of_world(world, Vec::new());
     let obstacles = &world.obstacles;
     let state = State {
         time: 0.0,
@@ -81,14 +81,34 @@ fn moved<const D: usize>(spec: &WorldSpec, pose: &Pose<D>) -> WorldSpec {
     spec
 }
 
+/// Senses that treat all directions alike, and laws in a scope.
+fn with_senses_and_scope(spec: &mut WorldSpec) {
+    let group = &mut spec.agents[0];
+    group.name = Some("flock".to_owned());
+    group.radius = 0.3;
+    group.sensing = common::from_json(json!({
+        "radius": 3.2,
+        "field_of_view": { "angle": 2.1 },
+        "cone": { "angle": 2.8, "smooth": true },
+        "blocked_by": { "obstacles": true, "bodies": true }
+    }));
+    spec.laws.push(common::from_json(json!({ "scope": {
+        "agents": ["flock"], "neighbours": ["flock"],
+        "laws": [{ "heading_consensus": { "gain": 2, "range": 5, "smooth": true } }]
+    } })));
+}
+
 /// Moving and relabelling the world moves and relabels the accelerations.
-fn equivariant<const D: usize>(turn: [f64; 3], shift: [f64; 3], protocol: &str)
+fn equivariant<const D: usize>(turn: [f64; 3], shift: [f64; 3], protocol: &str, senses: bool)
 where
     In<D>: Geometry<D>,
 {
     let pose = Pose::<D>::new(Vector::from_fn(|k, _| shift[k]), turn);
     let mut original = flock_world(D);
     original.laws[0] = alpha_only(D, protocol).laws[0].clone();
+    if senses {
+        with_senses_and_scope(&mut original);
+    }
     // An obstacle without symmetry, amid the flock, at rest in its own frame.
     original.obstacles.push(
         serde_json::from_value(json!({
@@ -129,9 +149,10 @@ proptest! {
         turn in prop::array::uniform3(-2.0..2.0f64),
         shift in prop::array::uniform3(-30.0..30.0f64),
         protocol in prop::sample::select(&PROTOCOLS[..]),
+        senses in any::<bool>(),
     ) {
-        equivariant::<2>(turn, shift, protocol);
-        equivariant::<3>(turn, shift, protocol);
+        equivariant::<2>(turn, shift, protocol, senses);
+        equivariant::<3>(turn, shift, protocol, senses);
     }
 }
 

@@ -19,7 +19,15 @@
 //! | `action.attraction`, `action.repulsion` | a, b | acceleration |
 //! | `bump_start` | k0 | 1 |
 //!
-//! The forces on a pair are equal and opposite, so the sum over equal masses is zero.
+//! The forces on a pair are equal and opposite, so the sum over equal masses is zero, as long
+//! as both perceive each other as they are.
+//!
+//! A smooth cone of perception multiplies the whole contribution of j by
+//! ρ(|θ_j − θ_i|/φ0), (18). In `smooth_weighted_damping` and `approximate` that is a_ij
+//! itself; in `smooth` the force is still the exact gradient, since headings do not depend on
+//! positions; and what the print leaves unweighted, the force of `nonsmooth` and the damping,
+//! is weighted by the cone as well.
+//!
 //! Two agents at the same point have no direction between them and exert no force.
 
 use crate::law::Law;
@@ -64,10 +72,10 @@ impl<const D: usize> Law<D> for AlphaInteraction {
                 let distance = neighbour.squared.sqrt();
                 let (force, weight) = self.pair.force_and_weight(distance);
                 if distance > 0.0 {
-                    sum += neighbour.offset * (force / distance);
+                    sum += neighbour.offset * (force / distance * neighbour.weight);
                 }
                 let weight = if self.weighted_damping { weight } else { 1.0 };
-                sum += (neighbour.velocity - p) * (self.damping * weight);
+                sum += (neighbour.velocity - p) * (self.damping * weight * neighbour.weight);
             });
             *acceleration += sum;
         }

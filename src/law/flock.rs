@@ -2,31 +2,31 @@
 
 use rayon::prelude::*;
 
-use crate::law::Law;
+use crate::law::{Law, build};
 use crate::math::{Vector, mean};
-use crate::sense::{Cells, Scene};
+use crate::sense::{CHUNK, Cells, History, PARALLEL_FROM, Perception, Scene, Senses};
 use crate::shape::Obstacle;
+use crate::world::World;
 
-/// Agents handled in one go; few enough to spread over threads, enough to be worth it.
-const CHUNK: usize = 128;
-
-/// Below this many agents, handing work to other threads costs more than it saves.
-const PARALLEL_FROM: usize = 500;
-
-/// The sum of some laws, with the neighbour search that they share.
+/// The sum of some laws, and what the agents perceive for them.
 pub struct Flock<const D: usize> {
     laws: Vec<Box<dyn Law<D>>>,
-    scratch: Scratch<D>,
+    /// Absent where all agents perceive without limits or errors.
+    senses: Option<Senses>,
+    history: History<D>,
+    stage: Stage<D>,
+    /// Scratch: accelerations in the order of the cells.
+    accelerations: Vec<Vector<D>>,
 }
 
 /// The state in the order of the cells, kept from step to step to save allocations.
 #[derive(Default)]
-struct Scratch<const D: usize> {
+struct Stage<const D: usize> {
     cells: Cells<D>,
     velocities: Vec<Vector<D>>,
     headings: Vec<Vector<D>>,
     groups: Vec<u32>,
-    accelerations: Vec<Vector<D>>,
+    perception: Perception<D>,
 }
 
 /// A state of the agents and what stands around them: the input of a flock.
@@ -47,11 +47,27 @@ pub struct State<'a, const D: usize> {
 }
 
 impl<const D: usize> Flock<D> {
-    /// A flock that obeys some laws.
+    /// A flock that obeys some laws, whose agents perceive without limits or errors.
     pub fn new(laws: Vec<Box<dyn Law<D>>>) -> Self {
         Self {
             laws,
-            scratch: Scratch::default(),
+            senses: None,
+            history: History::default(),
+            stage: Stage::default(),
+            accelerations: Vec::new(),
+        }
+    }
+
+    /// The flock of a world: its laws, some more besides, and the senses of its agents.
+    pub fn of_world(world: &World<D>, more: Vec<Box<dyn Law<D>>>) -> Self {
+        let mut laws = build(world);
+        laws.extend(more);
+        let senses = Senses::new(world);
+        let longest = senses.iter().flat_map(Senses::delays).max();
+        Self {
+            senses,
+            history: History::new(longest.unwrap_or(0)),
+            ..Self::new(laws)
         }
     }
 
@@ -60,87 +76,149 @@ impl<const D: usize> Flock<D> {
         &self.laws
     }
 
-    /// Writes the acceleration of each agent into `out`.
+    /// The past that agents with a delay see: what, besides the state, decides how the
+    /// flock goes on.
+    pub fn history(&self) -> &History<D> {
+        &self.history
+    }
+
+    /// The same, to be restored.
+    pub fn history_mut(&mut self) -> &mut History<D> {
+        &mut self.history
+    }
+
+    /// Writes the acceleration of each agent into `out`, and the state into the history.
     ///
     /// Each agent's sum is taken in a fixed order, so the result does not depend on
     /// the number of threads.
     pub fn accelerations(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
-        sum(&mut self.laws, state, &mut self.scratch, out);
+        if let Some(senses) = &self.senses {
+            self.history.record(
+                senses.step_at(state.time),
+                state.positions,
+                state.velocities,
+                state.headings,
+            );
+        }
+        self.add_up(0..self.laws.len(), state, out);
     }
 
-    /// The acceleration that each law alone gives each agent, by name of the law.
+    /// The acceleration that each law alone gives each agent, by name of the law. Nothing
+    /// is written into the history.
     pub fn by_law(&mut self, state: &State<'_, D>) -> Vec<(String, Vec<Vector<D>>)> {
         let mut by_law = Vec::new();
-        for law in &mut self.laws {
+        for law in 0..self.laws.len() {
             let mut out = vec![Vector::zeros(); state.positions.len()];
-            sum(
-                std::slice::from_mut(law),
-                state,
-                &mut self.scratch,
-                &mut out,
-            );
-            by_law.push((law.name().to_owned(), out));
+            self.add_up(law..law + 1, state, &mut out);
+            by_law.push((self.laws[law].name().to_owned(), out));
         }
         by_law
     }
+
+    /// The links: who perceives whom within the largest range of the laws, as pairs of
+    /// agents, the one that perceives first; sorted.
+    pub fn links(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
+        let range = range(&self.laws);
+        let scene = self
+            .stage
+            .scene(state, range, self.senses.as_ref(), &self.history);
+        let mut links = Vec::new();
+        if range > 0.0 {
+            for (i, &agent) in scene.agents.iter().enumerate() {
+                scene.neighbours(i, range, |neighbour| {
+                    links.push([agent as usize, scene.agents[neighbour.index] as usize]);
+                });
+            }
+        }
+        links.sort_unstable();
+        links
+    }
+
+    /// Sums some of the laws over all agents.
+    fn add_up(
+        &mut self,
+        laws: std::ops::Range<usize>,
+        state: &State<'_, D>,
+        out: &mut [Vector<D>],
+    ) {
+        let laws = &mut self.laws[laws];
+        let scene = self
+            .stage
+            .scene(state, range(laws), self.senses.as_ref(), &self.history);
+        for law in &mut *laws {
+            law.prepare(&scene);
+        }
+        let laws = &*laws;
+        self.accelerations.clear();
+        self.accelerations.resize(out.len(), Vector::zeros());
+        let add = |(chunk, out): (usize, &mut [Vector<D>])| {
+            for law in laws {
+                law.accelerate(&scene, chunk * CHUNK, out);
+            }
+        };
+        if out.len() < PARALLEL_FROM {
+            let chunks = self.accelerations.chunks_mut(CHUNK);
+            chunks.enumerate().for_each(add);
+        } else {
+            let chunks = self.accelerations.par_chunks_mut(CHUNK);
+            chunks.enumerate().for_each(add);
+        }
+        for (&agent, acceleration) in scene.agents.iter().zip(&self.accelerations) {
+            out[agent as usize] = *acceleration;
+        }
+    }
 }
 
-/// Sums the laws over all agents.
-fn sum<const D: usize>(
-    laws: &mut [Box<dyn Law<D>>],
-    state: &State<'_, D>,
-    scratch: &mut Scratch<D>,
-    out: &mut [Vector<D>],
-) {
-    let Scratch {
-        cells,
-        velocities,
-        headings,
-        groups,
-        accelerations,
-    } = scratch;
-    let range = laws.iter().map(|law| law.range()).fold(0.0, f64::max);
-    // Without neighbours to look for, one cell will do.
-    cells.rebuild(state.positions, if range > 0.0 { range } else { f64::MAX });
-    let order = || cells.order().iter().map(|&agent| agent as usize);
-    velocities.clear();
-    velocities.extend(order().map(|agent| state.velocities[agent]));
-    headings.clear();
-    headings.extend(order().map(|agent| state.headings[agent]));
-    groups.clear();
-    groups.extend(order().map(|agent| state.groups[agent] as u32));
-    accelerations.clear();
-    accelerations.resize(out.len(), Vector::zeros());
-    let scene = Scene {
-        time: state.time,
-        agents: cells.order(),
-        positions: cells.sorted(),
-        velocities,
-        headings,
-        groups,
-        cells,
-        obstacles: state.obstacles,
-        mean_position: mean(state.positions),
-        mean_velocity: mean(state.velocities),
-    };
-    for law in &mut *laws {
-        law.prepare(&scene);
-    }
-    let laws = &*laws;
-    let add = |(chunk, out): (usize, &mut [Vector<D>])| {
-        for law in laws {
-            law.accelerate(&scene, chunk * CHUNK, out);
+/// The largest distance at which some laws look for neighbours.
+fn range<const D: usize>(laws: &[Box<dyn Law<D>>]) -> f64 {
+    laws.iter().map(|law| law.range()).fold(0.0, f64::max)
+}
+
+impl<const D: usize> Stage<D> {
+    /// The scene that laws which look as far as `range` see.
+    fn scene<'a>(
+        &'a mut self,
+        state: &State<'a, D>,
+        range: f64,
+        senses: Option<&Senses>,
+        history: &History<D>,
+    ) -> Scene<'a, D> {
+        let Self {
+            cells,
+            velocities,
+            headings,
+            groups,
+            perception,
+        } = self;
+        // Without neighbours to look for, one cell will do.
+        cells.rebuild(state.positions, if range > 0.0 { range } else { f64::MAX });
+        let order = || cells.order().iter().map(|&agent| agent as usize);
+        velocities.clear();
+        velocities.extend(order().map(|agent| state.velocities[agent]));
+        headings.clear();
+        headings.extend(order().map(|agent| state.headings[agent]));
+        groups.clear();
+        groups.extend(order().map(|agent| state.groups[agent] as u32));
+        let mut scene = Scene {
+            time: state.time,
+            agents: cells.order(),
+            positions: cells.sorted(),
+            velocities,
+            headings,
+            groups,
+            cells,
+            obstacles: state.obstacles,
+            mean_position: mean(state.positions),
+            mean_velocity: mean(state.velocities),
+            perception: None,
+            visible: None,
+        };
+        if let Some(senses) = senses
+            && range > 0.0
+        {
+            perception.rebuild(senses, history, &scene, range);
+            scene.perception = Some(perception);
         }
-    };
-    if out.len() < PARALLEL_FROM {
-        accelerations.chunks_mut(CHUNK).enumerate().for_each(add);
-    } else {
-        accelerations
-            .par_chunks_mut(CHUNK)
-            .enumerate()
-            .for_each(add);
-    }
-    for (&agent, acceleration) in cells.order().iter().zip(&*accelerations) {
-        out[agent as usize] = *acceleration;
+        scene
     }
 }

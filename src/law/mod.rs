@@ -6,13 +6,17 @@
 
 mod alpha_interaction;
 mod flock;
+mod heading_consensus;
 mod navigation;
 mod obstacle_avoidance;
+mod scoped;
 
 pub use alpha_interaction::AlphaInteraction;
 pub use flock::{Flock, State};
+pub use heading_consensus::HeadingConsensus;
 pub use navigation::Navigation;
 pub use obstacle_avoidance::ObstacleAvoidance;
+pub use scoped::Scoped;
 
 use crate::math::Vector;
 use crate::sense::Scene;
@@ -38,18 +42,27 @@ pub trait Law<const D: usize>: Send + Sync {
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]);
 }
 
-/// The laws of a world, in its order.
+/// The laws of a world, in its order; those in scopes act there only.
 pub fn build<const D: usize>(world: &World<D>) -> Vec<Box<dyn Law<D>>> {
     world
-        .spec
-        .laws
-        .iter()
-        .map(|spec| -> Box<dyn Law<D>> {
-            match spec {
-                LawSpec::AlphaInteraction(spec) => Box::new(AlphaInteraction::new(spec)),
-                LawSpec::ObstacleAvoidance(spec) => Box::new(ObstacleAvoidance::new(spec, world)),
-                LawSpec::Navigation(spec) => Box::new(Navigation::new(spec)),
-            }
+        .laws()
+        .filter_map(|(scope, spec)| {
+            let law = one(spec, world)?;
+            Some(match scope {
+                Some(scope) => Box::new(Scoped::new(law, scope, &world.spec.agents)),
+                None => law,
+            })
         })
         .collect()
+}
+
+/// A law without its scope; nothing for a scope itself, which no checked world has here.
+fn one<const D: usize>(spec: &LawSpec, world: &World<D>) -> Option<Box<dyn Law<D>>> {
+    Some(match spec {
+        LawSpec::AlphaInteraction(spec) => Box::new(AlphaInteraction::new(spec)),
+        LawSpec::ObstacleAvoidance(spec) => Box::new(ObstacleAvoidance::new(spec, world)),
+        LawSpec::Navigation(spec) => Box::new(Navigation::new(spec)),
+        LawSpec::HeadingConsensus(spec) => Box::new(HeadingConsensus::new(spec)),
+        LawSpec::Scope(_) => return None,
+    })
 }

@@ -1,7 +1,7 @@
 //! Steering to a common velocity or to a destination.
 //!
 //! u_i = −c_q F(q − q_d) − c_p F(p − p_d), where (q, p) is the agent's own position and
-//! velocity or the group's mean, and F the identity or F(z) = z/√(1+|z|²).
+//! velocity or the mean of all agents in scope, and F the identity or F(z) = z/√(1+|z|²).
 //! R. Olfati-Saber, "Flocking with Obstacle Avoidance", 2003.
 //!
 //! | world file | source |

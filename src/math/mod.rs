@@ -2,11 +2,15 @@
 
 mod action;
 mod alpha_pair;
+mod angle;
 mod bump;
+mod normal;
 
 pub use action::Action;
 pub use alpha_pair::{AlphaPair, Fade};
+pub use angle::{angle_between, turn_between};
 pub use bump::Bump;
+pub use normal::normal_quantile;
 
 /// A vector of the `D`-dimensional world.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;

@@ -21,7 +21,7 @@ pub use net_record::NetAnalysis;
 pub use order::{polarization, velocity_mismatch};
 
 use crate::dynamics::Snapshot;
-use crate::math::mean;
+use crate::math::{Vector, mean};
 use crate::net::{Components, Net, structural_energy};
 use crate::trace::record::Metrics;
 use crate::world::World;
@@ -31,9 +31,13 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
     let alpha = world.alpha_interaction();
     let net = alpha.map(|alpha| Net::new(snapshot.positions, alpha.range));
     let clusters = net.as_ref().map(Net::partition);
-    let target = world
-        .navigation_velocity()
-        .unwrap_or_else(|| mean(snapshot.velocities));
+    let center = mean(snapshot.velocities);
+    let targets: Vec<Vector<D>> = (0..world.spec.agents.len())
+        .map(|group| world.navigation_velocity_of(group).unwrap_or(center))
+        .collect();
+    let errors: Vec<Vector<D>> = (snapshot.velocities.iter().zip(&world.agents.group))
+        .map(|(velocity, &group)| velocity - targets[group])
+        .collect();
     let radii = &world.agents.radius;
     let collisions = collision_ratio(snapshot.positions, radii);
     Metrics {
@@ -44,7 +48,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
             structural_energy(snapshot.positions, snapshot.velocities, net, &alpha.pair())
         }),
         polarization: polarization(snapshot.velocities),
-        velocity_mismatch: velocity_mismatch(snapshot.velocities, &target),
+        velocity_mismatch: velocity_mismatch(&errors, &Vector::zeros()),
         agent_gap: agent_gap(snapshot.positions, radii),
         obstacle_gap: obstacle_gap(snapshot.positions, radii, snapshot.obstacles),
         position_diameter: diameter(snapshot.positions),

@@ -1,7 +1,24 @@
 //! What agents perceive: neighbours and obstacles.
 
 mod cells;
+mod field_of_view;
+mod history;
+mod noise;
+mod perception;
 mod scene;
+mod senses;
+mod sight;
 
 pub use cells::Cells;
+pub use field_of_view::{Cone, in_view};
+pub use history::{History, Moment};
+pub use noise::LinkDraws;
+pub use perception::Perception;
 pub use scene::{Active, Neighbour, Scene, active_obstacles};
+pub use senses::Senses;
+
+/// Agents handled in one go; few enough to spread over threads, enough to be worth it.
+pub(crate) const CHUNK: usize = 128;
+
+/// Below this many agents, handing work to other threads costs more than it saves.
+pub(crate) const PARALLEL_FROM: usize = 500;

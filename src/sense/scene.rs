@@ -1,7 +1,7 @@
 //! What the laws see at one moment.
 
 use crate::math::Vector;
-use crate::sense::Cells;
+use crate::sense::{Cells, Perception};
 use crate::shape::{Obstacle, Projection};
 
 /// The state of the world at one moment, as the laws see it.
@@ -26,10 +26,14 @@ pub struct Scene<'a, const D: usize> {
     pub cells: &'a Cells<D>,
     /// The obstacles.
     pub obstacles: &'a [Obstacle<D>],
-    /// Mean of the positions.
+    /// Mean of the positions; of those in scope where the law has a scope.
     pub mean_position: Vector<D>,
-    /// Mean of the velocities.
+    /// Mean of the velocities, likewise.
     pub mean_velocity: Vector<D>,
+    /// What the agents perceive; absent where they perceive all without limits or errors.
+    pub perception: Option<&'a Perception<D>>,
+    /// For each group, whether its agents count as neighbours; absent where all do.
+    pub visible: Option<&'a [bool]>,
 }
 
 /// Another agent, as an agent perceives it.
@@ -39,28 +43,72 @@ pub struct Neighbour<const D: usize> {
     pub index: usize,
     /// The way to it, from the agent that perceives it.
     pub offset: Vector<D>,
-    /// Square of the distance to it.
+    /// Square of the distance to it: of the length of `offset`.
     pub squared: f64,
     /// Its velocity.
     pub velocity: Vector<D>,
+    /// Where its velocity points, or last pointed: a unit vector.
+    pub heading: Vector<D>,
+    /// What laws multiply its whole contribution by, 0 to 1: less than 1 only where the
+    /// agent perceives by a smooth cone, Olfati-Saber (2003), (18).
+    pub weight: f64,
 }
 
 impl<const D: usize> Scene<'_, D> {
     /// Calls `visit` with every neighbour of agent `i`: each other agent that it perceives
     /// at most `range` away, in an order that does not depend on the number of threads.
+    ///
+    /// This is the only door to neighbours: what comes through it is what the agent's
+    /// senses tell. With noise, `offset` may be longer than the range: that is of the true
+    /// distance.
     #[inline]
     pub fn neighbours(&self, i: usize, range: f64, mut visit: impl FnMut(Neighbour<D>)) {
+        if self.perception.is_some() || self.visible.is_some() {
+            return self.perceived(i, range, &mut visit);
+        }
         self.cells
             .for_each_within(&self.positions[i], range, |index, offset, squared| {
                 if index != i {
-                    visit(Neighbour {
-                        index,
-                        offset,
-                        squared,
-                        velocity: self.velocities[index],
-                    });
+                    visit(self.neighbour(index, offset, squared));
                 }
             });
+    }
+
+    /// The neighbours of agents with senses of their own, or of laws with a scope. Apart,
+    /// so that the plain search stays small enough to be built into the laws.
+    #[inline(never)]
+    fn perceived(&self, i: usize, range: f64, visit: &mut dyn FnMut(Neighbour<D>)) {
+        let counts = |index: usize| {
+            self.visible
+                .is_none_or(|visible| visible[self.groups[index] as usize])
+        };
+        match self.perception {
+            Some(perception) => perception
+                .of(i, range)
+                .filter(|neighbour| counts(neighbour.index))
+                .for_each(|neighbour| visit(*neighbour)),
+            None => {
+                self.cells
+                    .for_each_within(&self.positions[i], range, |index, offset, squared| {
+                        if index != i && counts(index) {
+                            visit(self.neighbour(index, offset, squared));
+                        }
+                    });
+            }
+        }
+    }
+
+    /// An agent as it is.
+    #[inline]
+    fn neighbour(&self, index: usize, offset: Vector<D>, squared: f64) -> Neighbour<D> {
+        Neighbour {
+            index,
+            offset,
+            squared,
+            velocity: self.velocities[index],
+            heading: self.headings[index],
+            weight: 1.0,
+        }
     }
 }
 

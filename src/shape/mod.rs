@@ -7,6 +7,7 @@
 
 mod obstacle;
 mod pose;
+mod sight;
 
 pub use obstacle::{Obstacle, Projection};
 pub use pose::Pose;
@@ -62,6 +63,8 @@ pub struct Face<const D: usize> {
 pub trait Query<const D: usize>: Debug + Send + Sync {
     /// The point of the solid core nearest to `point`; `point` itself inside.
     fn closest(&self, point: &Vector<D>) -> Vector<D>;
+    /// Whether the segment between two points meets the solid.
+    fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool;
     /// The flat faces of the core; none for a point or a segment.
     fn faces(&self) -> Vec<Face<D>>;
     /// The centroid; the origin for a half-space.

@@ -14,7 +14,7 @@ pub struct Obstacle<const D: usize> {
     pub shape: Shape<D>,
     /// Where it stands.
     pub pose: Pose<D>,
-    query: Arc<dyn Query<D>>,
+    pub(super) query: Arc<dyn Query<D>>,
     core: Core<D>,
     bounds: (Vector<D>, Vector<D>),
 }

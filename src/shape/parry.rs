@@ -2,6 +2,7 @@
 //! `shape::space`, which say what `parry` and `D` are).
 
 use super::parry::math::{Pose as ParryPose, Vector as ParryVector};
+use super::parry::query::Ray;
 use super::parry::shape::{Segment, SharedShape};
 use super::{D, hull_faces, parry, turn};
 use crate::math::Vector;
@@ -63,6 +64,11 @@ impl Query<D> for ParryQuery {
         // convex hulls and at the centre of balls cannot be relied on.
         let projection = self.core.project_local_point(vector(point), true);
         projection.point.to_array().into()
+    }
+
+    fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool {
+        let ray = Ray::new(vector(from), vector(&(to - from)));
+        self.solid.cast_local_ray(&ray, 1.0, true).is_some()
     }
 
     fn faces(&self) -> Vec<Face<D>> {

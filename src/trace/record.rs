@@ -94,6 +94,10 @@ pub struct Frame {
     /// The analysis of the proximity net.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub net: Option<Box<NetRecord>>,
+    /// Who perceives whom within the largest range of the laws, as pairs of agents, the one
+    /// that perceives first; sorted. Scopes are not regarded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub links: Option<Vec<[usize; 2]>>,
 }
 
 /// The acceleration that one law asks of each agent.
@@ -134,8 +138,8 @@ pub struct Metrics {
     /// Polarization: length of the mean of the unit velocities, 0 to 1; agents at
     /// rest count as zero.
     pub polarization: f64,
-    /// Root mean square of |p_i − p_d|, the distance to the navigation law's
-    /// velocity, or to the mean velocity where no law names one.
+    /// Root mean square of |p_i − p_d|, the distance to the velocity of the navigation law
+    /// that acts on the agent, or to the mean velocity where none does.
     pub velocity_mismatch: f64,
     /// Smallest gap between the surfaces of two agents; negative where they overlap.
     pub agent_gap: Option<f64>,

@@ -6,7 +6,8 @@ use crate::world::check;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
 use crate::world::spec::{
-    AlphaInteractionSpec, LawSpec, ObstacleSpec, PerAgent, Rotation, ShapeSpec, WorldSpec,
+    AlphaInteractionSpec, LawSpec, ObstacleSpec, PerAgent, Rotation, ScopeSpec, ShapeSpec,
+    WorldSpec, acts_on, each_law, each_law_mut,
 };
 use crate::world::velocity::{turn, velocities};
 use crate::world::{vector, vector_or_zero};
@@ -146,17 +147,28 @@ where
 }
 
 impl<const D: usize> World<D> {
+    /// Every law, those inside scopes too, each with its scope; see [`each_law`].
+    pub fn laws(&self) -> impl Iterator<Item = (Option<&ScopeSpec>, &LawSpec)> {
+        each_law(&self.spec.laws)
+    }
+
     /// The velocity that the first navigation law steers to, rest included.
     pub fn navigation_velocity(&self) -> Option<Vector<D>> {
-        self.spec.laws.iter().find_map(|law| match law {
-            LawSpec::Navigation(navigation) => Some(vector_or_zero(&navigation.velocity)),
-            _ => None,
-        })
+        self.laws().find_map(|(_, law)| steered_velocity(law))
+    }
+
+    /// The velocity to which the first navigation law that acts on a group steers, rest
+    /// included.
+    pub fn navigation_velocity_of(&self, group: usize) -> Option<Vector<D>> {
+        let group = self.spec.agents.get(group)?;
+        self.laws()
+            .filter(|(scope, _)| acts_on(*scope, group))
+            .find_map(|(_, law)| steered_velocity(law))
     }
 
     /// The first (α, α) interaction, whose range defines the proximity net.
     pub fn alpha_interaction(&self) -> Option<&AlphaInteractionSpec> {
-        self.spec.laws.iter().find_map(|law| match law {
+        self.laws().find_map(|(_, law)| match law {
             LawSpec::AlphaInteraction(alpha) => Some(alpha),
             _ => None,
         })
@@ -164,7 +176,7 @@ impl<const D: usize> World<D> {
 
     /// The activation range of the first obstacle law, within which β-agents exist.
     pub fn beta_range(&self) -> Option<f64> {
-        self.spec.laws.iter().find_map(|law| match law {
+        self.laws().find_map(|(_, law)| match law {
             LawSpec::ObstacleAvoidance(avoidance) => Some(avoidance.range),
             _ => None,
         })
@@ -194,23 +206,25 @@ fn fill_in<const D: usize>(spec: &mut WorldSpec) {
             _ => Rotation::Vector(vec![0.0; 3]),
         });
     }
-    let target = target_velocity(&spec.laws).cloned();
-    for law in &mut spec.laws {
+    let targets: Vec<Option<Vec<f64>>> = each_law(&spec.laws)
+        .map(|(scope, _)| check::velocity_to_follow(spec, scope).cloned())
+        .collect();
+    for (law, target) in each_law_mut(&mut spec.laws).zip(targets) {
         if let LawSpec::ObstacleAvoidance(law) = law
             && let Some(gamma) = &mut law.gamma
             && gamma.direction.is_none()
         {
-            gamma.direction.clone_from(&target);
+            gamma.direction = target;
         }
     }
 }
 
-/// The velocity of the first navigation law that has one other than rest.
-fn target_velocity(laws: &[LawSpec]) -> Option<&Vec<f64>> {
-    laws.iter().find_map(|law| match law {
-        LawSpec::Navigation(law) if check::moves(law) => law.velocity.as_ref(),
+/// The velocity that a navigation law steers to, rest included.
+fn steered_velocity<const D: usize>(law: &LawSpec) -> Option<Vector<D>> {
+    match law {
+        LawSpec::Navigation(navigation) => Some(vector_or_zero(&navigation.velocity)),
         _ => None,
-    })
+    }
 }
 
 /// What a check of a world finds, as a result.

@@ -15,6 +15,11 @@ pub fn spec(json: serde_json::Value) -> WorldSpec {
     serde_json::from_value(json).expect("the test's world is well formed")
 }
 
+/// A part of a world from JSON that is known to be sound.
+pub fn from_json<T: serde::de::DeserializeOwned>(json: serde_json::Value) -> T {
+    serde_json::from_value(json).expect("the test's JSON is well formed")
+}
+
 /// A resolved world.
 pub fn world<const D: usize>(spec: WorldSpec) -> World<D>
 where

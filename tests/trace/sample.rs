@@ -105,6 +105,7 @@ pub fn frame(step: u64) -> Frame {
         }]),
         edges: Some(vec![[0, 1]]),
         net: Some(Box::new(net())),
+        links: Some(vec![[0, 1], [1, 0]]),
     }
 }
 

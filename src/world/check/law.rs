@@ -1,13 +1,83 @@
 //! Checks of laws.
 
-use super::{Check, is_nonzero, moves};
+use super::{Check, is_nonzero};
 use crate::world::problem::Problem;
-use crate::world::spec::{ActionSpec, Feedback, GammaSpec, LawSpec, NavigationSpec};
-use crate::world::words::number;
+use crate::world::spec::{
+    ActionSpec, Feedback, GammaSpec, GroupSpec, LawSpec, NavigationSpec, ScopeSpec, WorldSpec,
+    acts_on, each_law,
+};
+use crate::world::words::{did_you_mean, number};
+
+/// The velocity of the first navigation law that has one other than rest and acts on
+/// every agent that laws in `scope` act on.
+pub fn velocity_to_follow<'a>(
+    world: &'a WorldSpec,
+    scope: Option<&ScopeSpec>,
+) -> Option<&'a Vec<f64>> {
+    let covers = |other: Option<&ScopeSpec>| {
+        let mut groups = world.agents.iter();
+        groups.all(|group| acts_on(other, group) || !acts_on(scope, group))
+    };
+    each_law(&world.laws).find_map(|(other, law)| match law {
+        LawSpec::Navigation(law) if covers(other) => law
+            .velocity
+            .as_ref()
+            .filter(|velocity| is_nonzero(velocity)),
+        _ => None,
+    })
+}
 
 impl Check {
-    /// Checks a law; those that it stands among may give what it leaves out.
-    pub(super) fn law(&mut self, path: &str, law: &LawSpec, laws: &[LawSpec]) {
+    /// Checks the laws, and the scopes that they stand in.
+    pub(super) fn laws(&mut self, world: &WorldSpec) {
+        for (index, law) in world.laws.iter().enumerate() {
+            let path = format!("laws[{index}]");
+            let LawSpec::Scope(scope) = law else {
+                self.law(&path, law, None, world);
+                continue;
+            };
+            let path = format!("{path}.scope");
+            for (field, names) in [("agents", &scope.agents), ("neighbours", &scope.neighbours)] {
+                for (index, name) in names.iter().flatten().enumerate() {
+                    self.group_name(&format!("{path}.{field}[{index}]"), name, &world.agents);
+                }
+            }
+            for (index, law) in scope.laws.iter().enumerate() {
+                self.law(&format!("{path}.laws[{index}]"), law, Some(scope), world);
+            }
+        }
+    }
+
+    /// A name must be that of one group.
+    fn group_name(&mut self, path: &str, name: &str, groups: &[GroupSpec]) {
+        let bearers: Vec<String> = (groups.iter().enumerate())
+            .filter(|(_, group)| group.name.as_deref() == Some(name))
+            .map(|(index, _)| format!("agents[{index}]"))
+            .collect();
+        match bearers.len() {
+            1 => {}
+            0 => {
+                let known: Vec<&str> = groups.iter().filter_map(|it| it.name.as_deref()).collect();
+                let problem = Problem::new(path, "names no group");
+                self.problems.push(match known.is_empty() {
+                    true => problem.hint("give the groups names in `agents`"),
+                    false => Problem {
+                        hint: did_you_mean(name, known.iter().copied()),
+                        ..problem.allowed(known.join(", "))
+                    },
+                });
+            }
+            _ => {
+                let what = format!("names more than one group: {}", bearers.join(", "));
+                let problem = Problem::new(path, what);
+                self.problems
+                    .push(problem.hint("give each group a name of its own"));
+            }
+        }
+    }
+
+    /// Checks a law; the world's other laws may give what it leaves out.
+    fn law(&mut self, path: &str, law: &LawSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) {
         match law {
             LawSpec::AlphaInteraction(law) => {
                 let path = format!("{path}.alpha_interaction");
@@ -27,10 +97,19 @@ impl Check {
                 let rate = law.gain * law.damping;
                 self.damping(&format!("{path}.damping"), "times the gain", rate);
                 if let Some(gamma) = &law.gamma {
-                    self.gamma(&format!("{path}.gamma"), gamma, laws);
+                    let follows = velocity_to_follow(world, scope).is_some();
+                    let is_scope = |law: &LawSpec| matches!(law, LawSpec::Scope(_));
+                    let scoped = world.laws.iter().any(is_scope);
+                    self.gamma(&format!("{path}.gamma"), gamma, scoped, follows);
                 }
             }
             LawSpec::Navigation(law) => self.navigation(&format!("{path}.navigation"), law),
+            LawSpec::HeadingConsensus(_) => {}
+            LawSpec::Scope(_) => {
+                let problem = Problem::with_name(format!("{path}.scope"), "is inside a scope");
+                self.problems
+                    .push(problem.hint("scopes stand side by side, each in `laws`"));
+            }
         }
     }
 
@@ -60,14 +139,18 @@ impl Check {
         }
     }
 
-    fn gamma(&mut self, path: &str, gamma: &GammaSpec, laws: &[LawSpec]) {
+    fn gamma(&mut self, path: &str, gamma: &GammaSpec, scoped: bool, follows: bool) {
         if let Some(direction) = &gamma.direction {
             self.direction(&format!("{path}.direction"), direction);
-            return;
-        }
-        let follows = |law: &LawSpec| matches!(law, LawSpec::Navigation(law) if moves(law));
-        if !laws.iter().any(follows) {
-            let what = "missing field `direction`, as no navigation law has a velocity to follow";
+        } else if !follows {
+            let agents = if scoped {
+                " for all of these agents"
+            } else {
+                ""
+            };
+            let what = format!(
+                "missing field `direction`, as no navigation law{agents} has a velocity to follow"
+            );
             self.add(path, what);
         }
     }

@@ -4,7 +4,10 @@
 
 mod law;
 mod obstacle;
+mod sensing;
 mod start;
+
+pub use law::velocity_to_follow;
 
 use super::problem::Problem;
 use super::spec::*;
@@ -50,9 +53,8 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     for (index, obstacle) in world.obstacles.iter().enumerate() {
         check.obstacle(&format!("obstacles[{index}]"), obstacle);
     }
-    for (index, law) in world.laws.iter().enumerate() {
-        check.law(&format!("laws[{index}]"), law, &world.laws);
-    }
+    check.memory_of_delays(world);
+    check.laws(world);
     check.problems
 }
 
@@ -85,11 +87,6 @@ pub fn on_a_step(path: &str, time: f64, step: f64, least: u64) -> Result<u64, Pr
 /// The number of agents of a group: as given, or as many as its positions make.
 pub fn size(group: &GroupSpec) -> Option<usize> {
     start::positions(group).or(group.count)
-}
-
-/// Whether a navigation law names a velocity other than rest.
-pub fn moves(navigation: &NavigationSpec) -> bool {
-    navigation.velocity.as_deref().is_some_and(is_nonzero)
 }
 
 /// Largest size of a number in a vector.
@@ -219,6 +216,9 @@ impl Check {
                 masses.len()
             );
             self.add(format!("{path}.mass"), what);
+        }
+        if let Some(sensing) = &group.sensing {
+            self.sensing(&format!("{path}.sensing"), sensing, count);
         }
         self.velocities(&format!("{path}.velocities"), &group.velocities, count);
     }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::SensingSpec;
 use super::start::{PlacementSpec, VelocitySpec};
 
 /// A group of agents: balls that share how they are placed.
@@ -10,7 +11,7 @@ use super::start::{PlacementSpec, VelocitySpec};
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Group")]
 pub struct GroupSpec {
-    /// Name of the group, for reports.
+    /// Name of the group, for reports and scopes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Number of agents; may be left out where positions are listed.
@@ -33,6 +34,9 @@ pub struct GroupSpec {
     /// How fast the agents start; at rest when absent.
     #[serde(default)]
     pub velocities: VelocitySpec,
+    /// How the agents perceive others; absent means without limits or errors.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sensing: Option<SensingSpec>,
 }
 
 /// One positive number for all agents of a group, or a list with one for each.

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::ScopeSpec;
 use crate::math::{Action, AlphaPair, Bump, Fade};
 
 /// One law: a term of the sum that accelerates the agents.
@@ -16,6 +17,10 @@ pub enum LawSpec {
     ObstacleAvoidance(ObstacleAvoidanceSpec),
     /// Steering to a common velocity or to a destination.
     Navigation(NavigationSpec),
+    /// Turning to the neighbours' headings: attitude alignment.
+    HeadingConsensus(HeadingConsensusSpec),
+    /// Laws for some groups only.
+    Scope(ScopeSpec),
 }
 
 /// The (α, α) protocols of Olfati-Saber (2003), equations (34) to (36).
@@ -138,7 +143,7 @@ pub struct GammaSpec {
 /// Steering: Olfati-Saber (2003), equations (50), (64) and (66), and the forms
 /// in between.
 ///
-/// With (q, p) the agent's own position and velocity or the group's mean, and F
+/// With (q, p) the agent's own position and velocity or the mean over the agents in scope, and F
 /// the identity or F(z) = z/√(1+|z|²), the acceleration of every agent is
 /// −c_q F(q − q_d) − c_p F(p − p_d).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -174,7 +179,7 @@ pub enum Steered {
     /// Each agent's own: needs no communication.
     #[default]
     Agent,
-    /// The group's mean, with the same acceleration for all: (64), (66).
+    /// The mean over the agents in scope, with the same acceleration for all: (64), (66).
     Mean,
 }
 
@@ -187,6 +192,30 @@ pub enum Feedback {
     Bounded,
     /// F(z) = z.
     Linear,
+}
+
+/// Attitude alignment, the agreement protocol of Olfati-Saber (2003), equations (12) and
+/// (13): agents turn towards the headings of their neighbours, at their own speed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "HeadingConsensus")]
+pub struct HeadingConsensusSpec {
+    /// Gain of the turning rate (1/time); 1 in the paper.
+    #[serde(default = "one")]
+    #[schemars(range(min = 0))]
+    pub gain: f64,
+    /// Interaction range r: agents at most this far apart are neighbours.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub range: f64,
+    /// Whether the weight of a neighbour falls smoothly to 0 at the range, (17), rather
+    /// than at once, (8).
+    #[serde(default)]
+    pub smooth: bool,
+    /// Where the bump function ρ(z) leaves 1, as a share k0 of the range; used where
+    /// smooth.
+    #[serde(default = "default_bump_start")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1))]
+    pub bump_start: f64,
 }
 
 impl ActionSpec {
@@ -217,6 +246,6 @@ fn one() -> f64 {
     1.0
 }
 
-fn default_bump_start() -> f64 {
+pub(super) fn default_bump_start() -> f64 {
     5.0 / 6.0
 }

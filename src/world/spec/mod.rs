@@ -10,6 +10,8 @@
 mod agents;
 mod law;
 mod obstacle;
+mod scope;
+mod sensing;
 mod start;
 
 use schemars::JsonSchema;
@@ -17,10 +19,13 @@ use serde::{Deserialize, Serialize};
 
 pub use agents::{GroupSpec, PerAgent};
 pub use law::{
-    ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, LawSpec, NavigationSpec,
-    ObstacleAvoidanceSpec, Steered,
+    ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
+    LawSpec, NavigationSpec, ObstacleAvoidanceSpec, Steered,
 };
 pub use obstacle::{ObstacleSpec, Rotation, ShapeSpec};
+pub(in crate::world) use scope::each_law_mut;
+pub use scope::{ScopeSpec, acts_on, each_law};
+pub use sensing::{BlockedBySpec, ConeSpec, FieldOfViewSpec, NoiseSpec, SensingSpec};
 pub use start::{
     BallSpec, BoxSpec, GridSpec, HexagonalSpec, LineSpec, OutwardSpec, PlacementSpec, RotatingSpec,
     VelocityBallSpec, VelocityBoxSpec, VelocitySpec,
@@ -134,6 +139,8 @@ pub struct RecordSpec {
     /// Record the analysis of the proximity net: connectivity, energy, defect, rigidity,
     /// planarity, votes. Its cost grows with the cube of the number of agents.
     pub net: bool,
+    /// Record the links: who perceives whom within the largest range of the laws.
+    pub links: bool,
 }
 
 impl Default for RecordSpec {
@@ -145,6 +152,7 @@ impl Default for RecordSpec {
             beta_agents: false,
             edges: false,
             net: false,
+            links: false,
         }
     }
 }

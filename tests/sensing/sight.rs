@@ -1,0 +1,206 @@
+//! Lines of sight against geometry of our own.
+
+use serde_json::json;
+use volary::math::{Vector, axis};
+use volary::shape::{Geometry, In, Pose};
+
+use crate::common::headings;
+use crate::scene::{Dice, Watch, pairs, state, who, world};
+
+/// The least value of a convex function along a segment, by ternary search.
+fn least<const D: usize>(
+    from: &Vector<D>,
+    to: &Vector<D>,
+    value: impl Fn(&Vector<D>) -> f64,
+) -> f64 {
+    let at = |t: f64| value(&(from + (to - from) * t));
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..90 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if at(a) < at(b) { high = b } else { low = a }
+    }
+    at(low).min(at(high)).min(at(0.0)).min(at(1.0))
+}
+
+/// A convex function that is negative inside an obstacle.
+type Gap<const D: usize> = Box<dyn Fn(&Vector<D>) -> f64>;
+
+/// Obstacles as a world file names them, and their gaps, without a line of parry's.
+fn obstacles<const D: usize>(dice: &mut Dice) -> (serde_json::Value, Vec<Gap<D>>) {
+    let mut list = Vec::new();
+    let mut gaps: Vec<Gap<D>> = Vec::new();
+    for kind in 0..5 {
+        let position: Vector<D> = dice.vector(1.0, 9.0);
+        let mut turn: [f64; 3] = std::array::from_fn(|_| dice.between(-1.5, 1.5));
+        if kind == 3 {
+            // The half-space faces the row in which the world places its agents.
+            (turn[0], turn[1]) = (0.0, 0.0);
+        }
+        let pose = Pose::<D>::new(position, turn);
+        let local = move |x: &Vector<D>| pose.point_to_local(x);
+        let (shape, gap): (_, Gap<D>) = match kind {
+            0 => (
+                json!({ "ball": { "radius": 0.9 } }),
+                Box::new(move |x| local(x).norm() - 0.9),
+            ),
+            1 => {
+                let half: Vector<D> = dice.vector(0.2, 1.2);
+                let gap = move |x: &Vector<D>| (local(x).abs() - half).max();
+                (
+                    json!({ "cuboid": { "half_extents": half.as_slice() } }),
+                    Box::new(gap),
+                )
+            }
+            2 => {
+                let (a, b): (Vector<D>, Vector<D>) =
+                    (dice.vector(-1.0, 1.0), dice.vector(-1.0, 1.0));
+                let shape = json!({ "capsule": {
+                    "from": a.as_slice(), "to": b.as_slice(), "radius": 0.5
+                } });
+                let gap = move |x: &Vector<D>| {
+                    let x = local(x);
+                    let t = (x - a).dot(&(b - a)) / (b - a).norm_squared();
+                    (x - a - (b - a) * t.clamp(0.0, 1.0)).norm() - 0.5
+                };
+                (shape, Box::new(gap))
+            }
+            3 => {
+                let normal = json!({ "half_space": { "normal": axis::<D>(0).as_slice() } });
+                // Far enough out to leave most agents in the open.
+                let gap = move |x: &Vector<D>| local(x)[0] + 4.0;
+                (normal, Box::new(gap))
+            }
+            _ => {
+                // The simplex between the origin's corner and the points 1.5 along the axes.
+                let mut points = vec![vec![0.0; D]; D + 1];
+                (0..D).for_each(|k| points[k + 1][k] = 1.5);
+                let gap = move |x: &Vector<D>| {
+                    let x = local(x);
+                    (-x).max().max((x.sum() - 1.5) / (D as f64).sqrt())
+                };
+                (json!({ "convex": { "points": points } }), Box::new(gap))
+            }
+        };
+        let position = match kind {
+            3 => pose_back(&position, turn),
+            _ => position,
+        };
+        let rotation = match D {
+            2 => json!(turn[2]),
+            _ => json!(turn),
+        };
+        list.push(json!({
+            "shape": shape, "position": position.as_slice(), "rotation": rotation
+        }));
+        gaps.push(gap);
+    }
+    (json!(list), gaps)
+}
+
+/// Where a half-space stands whose plane lies 4 behind `position`.
+fn pose_back<const D: usize>(position: &Vector<D>, turn: [f64; 3]) -> Vector<D> {
+    Pose::<D>::new(*position, turn).point_to_world(&(axis::<D>(0) * -4.0))
+}
+
+fn sight_equals_geometry<const D: usize>()
+where
+    In<D>: Geometry<D>,
+{
+    let mut dice = Dice(D as u64);
+    let (mut seen, mut hidden) = ([0, 0], [0, 0]);
+    for round in 0..12 {
+        let by_obstacles = round % 3 != 0;
+        let by_bodies = round % 3 != 1;
+        let (list, gaps) = obstacles::<D>(&mut dice);
+        let sensing = json!({
+            "blocked_by": { "obstacles": by_obstacles, "bodies": by_bodies }
+        });
+        let world = world::<D>(
+            &[(14, sensing.clone()), (8, sensing)],
+            json!({ "obstacles": list }),
+        );
+        let n = world.agents.len();
+        let (range, at) = (6.0, dice.vectors::<D>(n, 0.0, 10.0));
+        let v = dice.vectors::<D>(n, -1.0, 1.0);
+        let told = Watch::new(&world, range).look(&state(&world, 0.0, &at, &v, &headings(&v)));
+        let mut doubtful = Vec::new();
+        let mut clearance = |i: usize, j: usize| {
+            let mut least_of_all = f64::INFINITY;
+            if by_obstacles {
+                for gap in &gaps {
+                    least_of_all = least_of_all.min(least(&at[i], &at[j], gap));
+                }
+            }
+            if by_bodies {
+                for k in (0..n).filter(|&k| k != i && k != j) {
+                    let gap = |x: &Vector<D>| (x - at[k]).norm() - world.agents.radius[k];
+                    least_of_all = least_of_all.min(least(&at[i], &at[j], gap));
+                }
+            }
+            if least_of_all.abs() < 1e-6 {
+                doubtful.push([i, j]);
+            }
+            least_of_all
+        };
+        let mut expected = Vec::new();
+        for [i, j] in pairs(n, |i, j| (at[i] - at[j]).norm() <= range) {
+            let kind = usize::from(by_bodies);
+            if clearance(i, j) > 0.0 {
+                seen[kind] += 1;
+                expected.push([i, j]);
+            } else {
+                hidden[kind] += 1;
+            }
+        }
+        let mut found = who(&told);
+        expected.retain(|pair| !doubtful.contains(pair));
+        found.retain(|pair| !doubtful.contains(pair));
+        assert_eq!(found, expected, "round {round}");
+        assert!(doubtful.len() < 3);
+    }
+    // The scenes hide some and show some, by obstacles alone and with bodies.
+    assert!(
+        seen.iter().chain(&hidden).all(|&count| count > 40),
+        "{seen:?} {hidden:?}"
+    );
+}
+
+#[test]
+fn what_stands_between_hides() {
+    sight_equals_geometry::<2>();
+    sight_equals_geometry::<3>();
+}
+
+#[test]
+fn a_body_that_just_touches_the_line_hides_and_ends_do_not() {
+    let sensing = json!({ "blocked_by": { "bodies": true } });
+    let world = world::<2>(&[(3, sensing)], json!({}));
+    let rest = vec![Vector::<2>::new(0.0, 0.0); 3];
+    let look = |height: f64| {
+        // Bodies of radius 0.4; those at the ends overlap nothing but their own line.
+        let at = [[0.0, 0.0], [2.0, 0.0], [1.0, height]].map(Vector::<2>::from);
+        let told = Watch::new(&world, 9.0).look(&state(&world, 0.0, &at, &rest, &headings(&rest)));
+        who(&told).contains(&[0, 1])
+    };
+    assert!(!look(0.4));
+    assert!(look(0.4 + 1e-9));
+}
+
+#[test]
+fn an_agent_inside_an_obstacle_neither_sees_nor_is_seen() {
+    let sensing = json!({ "blocked_by": { "obstacles": true } });
+    for shape in [
+        json!({ "ball": { "radius": 2 } }),
+        json!({ "cuboid": { "half_extents": [2, 2] } }),
+        json!({ "capsule": { "from": [-1, 0], "to": [1, 0], "radius": 2 } }),
+        json!({ "half_space": { "normal": [1, 0] } }),
+        json!({ "convex": { "points": [[-2, -2], [2, -2], [0, 3]] } }),
+    ] {
+        let obstacles = json!({ "obstacles": [{ "shape": shape }] });
+        let world = world::<2>(&[(4, sensing.clone())], obstacles);
+        let at = [[-0.5, 0.3], [-0.2, 0.1], [5.0, 0.0], [5.0, 1.0]].map(Vector::<2>::from);
+        let rest = vec![Vector::<2>::zeros(); 4];
+        let told = Watch::new(&world, 9.0).look(&state(&world, 0.0, &at, &rest, &headings(&rest)));
+        assert_eq!(who(&told), [[2, 3], [3, 2]], "{shape}");
+    }
+}
