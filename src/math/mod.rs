@@ -3,10 +3,12 @@
 mod action;
 mod alpha_pair;
 mod bump;
+mod turn;
 
 pub use action::Action;
 pub use alpha_pair::{AlphaPair, Fade};
 pub use bump::Bump;
+pub use turn::{sin_cos, sin_cos_of_turns};
 
 /// A vector of the `D`-dimensional world.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;

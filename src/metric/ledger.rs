@@ -97,6 +97,7 @@ impl Ledger {
             largest_impulse: 0.0,
             deepest_penetration: 0.0,
             approach_speed: touch.approach_speed,
+            push_speed: 0.0,
             position: touch.position.iter().copied().collect(),
         }
     }
@@ -112,6 +113,7 @@ impl Ledger {
         let count = self.count(contact.with);
         count.largest_impulse = count.largest_impulse.max(touch.impulse);
         count.deepest_penetration = count.deepest_penetration.max(penetration);
+        count.pushed += u64::from(contact.push_speed == 0.0 && touch.push_speed > 0.0);
         let smallest = match contact.with {
             Partner::Agent => &mut self.smallest_agent_gap,
             Partner::Obstacle => &mut self.smallest_obstacle_gap,
@@ -123,6 +125,7 @@ impl Ledger {
             steps: contact.steps + u64::from(begin < end),
             largest_impulse: contact.largest_impulse.max(touch.impulse),
             deepest_penetration: contact.deepest_penetration.max(penetration),
+            push_speed: contact.push_speed.max(touch.push_speed),
             ..contact
         }
     }
@@ -147,6 +150,7 @@ mod tests {
             gap,
             impulse,
             approach_speed: 2.0,
+            push_speed: 0.0,
             normal: Vector::<2>::new(1.0, 0.0),
             position: Vector::<2>::new(3.0, 4.0),
         }

@@ -9,6 +9,7 @@
 
 mod agents;
 mod law;
+mod motion;
 mod obstacle;
 
 use schemars::JsonSchema;
@@ -21,7 +22,8 @@ pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, LawSpec, NavigationSpec,
     ObstacleAvoidanceSpec, Steered,
 };
-pub use obstacle::{ObstacleSpec, Rotation, ShapeSpec};
+pub use motion::{EasingSpec, MotionSpec};
+pub use obstacle::{BetaAgents, CompoundPart, Heights, ObstacleSpec, Rotation, ShapeSpec};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -52,7 +54,7 @@ pub struct WorldSpec {
     /// The agents, in groups.
     #[schemars(length(min = 1))]
     pub agents: Vec<GroupSpec>,
-    /// The obstacles: fixed convex bodies.
+    /// The obstacles, fixed or moving.
     #[serde(default)]
     pub obstacles: Vec<ObstacleSpec>,
     /// The laws whose sum accelerates the agents.

@@ -1,0 +1,3 @@
+//! Projections onto every obstacle, against brute force and central differences.
+
+mod convex;
