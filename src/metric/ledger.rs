@@ -195,4 +195,23 @@ mod tests {
         assert_eq!(ledger.obstacle_contacts().episodes, 1);
         assert_eq!(ledger.agent_contacts().episodes, 0);
     }
+
+    #[test]
+    fn an_episode_counts_once_as_pushed() {
+        let mut ledger = Ledger::default();
+        let pushing = |push_speed| Touch {
+            push_speed,
+            ..touch(2, Touched::Obstacle(0), 0.0, 1.0)
+        };
+        for (step, push_speed) in [0.0, 0.5, 2.0, 1.0].into_iter().enumerate() {
+            let begin = 0.1 * step as f64;
+            ledger.enter(begin, begin + 0.1, &[pushing(push_speed)]);
+        }
+        assert_eq!(ledger.obstacle_contacts().pushed, 1);
+        let over = ledger.enter::<2>(0.4, 0.5, &[]);
+        assert_eq!(over[0].push_speed, 2.0);
+        ledger.enter(0.5, 0.6, &[pushing(0.0)]);
+        let counted = ledger.obstacle_contacts();
+        assert_eq!((counted.episodes, counted.pushed), (2, 1));
+    }
 }

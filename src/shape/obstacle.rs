@@ -253,11 +253,7 @@ impl<const D: usize> Obstacle<D> {
 
     /// Finds the bounds at the present pose.
     fn find_bounds(&mut self) {
-        let mut parts = self.parts.list.iter().map(|part| part.bounds(&self.pose));
-        let first = parts.next().expect("an obstacle has parts");
-        self.bounds = parts.fold(first, |(min, max), (low, high)| {
-            (min.inf(&low), max.sup(&high))
-        });
+        self.bounds = self.parts.bounds(&self.pose);
     }
 }
 

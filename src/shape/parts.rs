@@ -17,6 +17,8 @@ pub(super) struct Parts<const D: usize> {
     boxed: Vec<usize>,
     /// The parts outside the tree.
     others: Vec<usize>,
+    /// Middle and half sides of the box about all of the tree.
+    hull: (Vector<D>, Vector<D>),
 }
 
 impl<const D: usize> Parts<D> {
@@ -32,16 +34,35 @@ impl<const D: usize> Parts<D> {
                 list,
                 tree: None,
                 boxed: Vec::new(),
+                hull: (Vector::zeros(), Vector::zeros()),
             };
         }
         let here = Pose::new(Vector::zeros(), [0.0; 3]);
         let boxes: Vec<_> = boxed.iter().map(|&i| list[i].bounds(&here)).collect();
+        let (min, max) = boxes[1..].iter().fold(boxes[0], about_both);
         Self {
+            hull: ((min + max) / 2.0, (max - min) / 2.0),
             tree: Some(<In<D> as Geometry<D>>::tree(&boxes)),
             list,
             boxed,
             others,
         }
+    }
+
+    /// Lowest and highest corner of a box about all parts, at a pose: for many parts one
+    /// about their box, which may be larger than need be.
+    pub(super) fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>) {
+        let tree = self.tree.is_some().then(|| {
+            let (middle, half) = &self.hull;
+            let middle = pose.point_to_world(middle);
+            // A hair wider, against rounding.
+            let half = pose.rotation().abs() * half * (1.0 + 1e-12) + middle.abs() * 1e-12;
+            (middle - half, middle + half)
+        });
+        let others = self.others.iter().map(|&i| self.list[i].bounds(pose));
+        let all = tree.into_iter().chain(others);
+        all.reduce(|a, b| about_both(a, &b))
+            .expect("an obstacle has parts")
     }
 
     /// The part whose surface is nearest, or in which the point is deepest, with the
@@ -75,4 +96,12 @@ impl<const D: usize> Parts<D> {
         let projected = near.into_iter().map(|i| (i, self.list[i].project(point)));
         projected.filter(|(_, it)| it.distance <= range).collect()
     }
+}
+
+/// The box about two boxes.
+fn about_both<const D: usize>(
+    (min, max): (Vector<D>, Vector<D>),
+    (low, high): &(Vector<D>, Vector<D>),
+) -> (Vector<D>, Vector<D>) {
+    (min.inf(low), max.sup(high))
 }

@@ -1,6 +1,6 @@
 //! Checks of obstacles: poses, shapes and motions.
 
-use super::Check;
+use super::{Check, LARGEST};
 use crate::world::problem::Problem;
 use crate::world::spec::{Heights, MotionSpec, ObstacleSpec, Rotation, ShapeSpec};
 use crate::world::words::number;
@@ -56,14 +56,28 @@ impl Check {
                 let what = format!("must be 3 numbers in 3-D, the axis times the {what} in {unit}");
                 self.add(path, what);
             }
-            Rotation::Angle(_) => {}
+            Rotation::Angle(angle) => self.computable(path, angle.abs()),
+        }
+    }
+
+    /// Sizes that follow from several fields must stay computable, as vectors must.
+    fn computable(&mut self, path: &str, size: f64) {
+        if size.is_nan() || size > LARGEST {
+            self.add(path, "makes numbers too large to compute with");
         }
     }
 
     fn motion(&mut self, path: &str, motion: &MotionSpec) {
         match motion {
-            MotionSpec::Oscillation { amplitude, .. } => {
-                self.vector(&format!("{path}.oscillation.amplitude"), amplitude);
+            MotionSpec::Oscillation {
+                amplitude,
+                period,
+                phase,
+            } => {
+                let path = format!("{path}.oscillation");
+                self.vector(&format!("{path}.amplitude"), amplitude);
+                self.computable(&format!("{path}.phase"), phase.abs());
+                self.computable(&format!("{path}.period"), largest(amplitude) / period);
             }
             MotionSpec::Rotation { about, rate } => {
                 if let Some(about) = about {
@@ -91,6 +105,12 @@ impl Check {
                         number(stays)
                     );
                     self.add(format!("{path}.period"), what);
+                } else {
+                    let farthest = points
+                        .iter()
+                        .map(|point| largest(point))
+                        .fold(0.0, f64::max);
+                    self.computable(&format!("{path}.period"), farthest / (period - stays));
                 }
             }
             MotionSpec::Drift { velocity } => {
@@ -261,6 +281,7 @@ impl Check {
         if row.len() < 2 {
             self.add(path, "must have at least 2 heights");
         }
+        self.computable(path, largest(row));
     }
 
     fn hull(&mut self, path: &str, points: &[Vec<f64>]) {
@@ -276,6 +297,10 @@ impl Check {
             self.add(path, format!("must not all lie on one {flat}"));
         }
     }
+}
+
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
 /// Whether a shape ends somewhere in every direction.
