@@ -4,14 +4,14 @@
 //! volary run olfati-saber-2003/six-obstacles --set record.edges=true --trace run.jsonl
 //! cargo run --release --example draw -- run.jsonl picture.svg 0 8.5 17 28
 //! ```
-//! Bodies and obstacles (balls, cuboids and convex polygons) are drawn at true size, the
+//! Bodies and obstacles (balls, cuboids, polygons and thin walls) are drawn at true size, the
 //! edges of the proximity net where the trace has them.
 
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 
-use volary::shape::{Obstacle, Shape};
+use volary::shape::{Pose, Shape};
 use volary::trace::record::Frame;
 use volary::trace::{Record, TraceReader};
 use volary::world::{AnyWorld, World};
@@ -56,12 +56,19 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error> {
     let points = moments.iter().flat_map(|frame| &frame.positions);
-    let balls = world.obstacles.iter().flat_map(|obstacle| {
-        let reach = match &obstacle.shape {
+    let parts = || {
+        let obstacles = world.obstacles.iter();
+        obstacles.flat_map(|obstacle| {
+            let parts = obstacle.parts().iter();
+            parts.map(|part| (&part.shape, part.world_pose(&obstacle.pose)))
+        })
+    };
+    let balls = parts().flat_map(|(shape, pose)| {
+        let reach = match shape {
             Shape::Ball { radius } => *radius,
             _ => 0.0,
         };
-        let at = obstacle.pose.translation;
+        let at = pose.translation;
         [
             vec![at.x - reach, at.y - reach],
             vec![at.x + reach, at.y + reach],
@@ -92,8 +99,8 @@ fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error>
     )?;
     // The plane's y points up, a picture's down.
     writeln!(svg, r#"<g transform="scale(1,-1)">"#)?;
-    for obstacle in &world.obstacles {
-        draw_obstacle(&mut svg, obstacle)?;
+    for (shape, pose) in parts() {
+        draw_shape(&mut svg, shape, &pose)?;
     }
     for (frame, colour) in moments.iter().zip(COLOURS.iter().cycle()) {
         let mut edges = String::new();
@@ -127,9 +134,9 @@ fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error>
     Ok(svg)
 }
 
-fn draw_obstacle(svg: &mut String, obstacle: &Obstacle<2>) -> std::fmt::Result {
-    let at = obstacle.pose.translation;
-    let corners: Vec<[f64; 2]> = match &obstacle.shape {
+fn draw_shape(svg: &mut String, shape: &Shape<2>, pose: &Pose<2>) -> std::fmt::Result {
+    let at = pose.translation;
+    let corners: Vec<[f64; 2]> = match shape {
         Shape::Ball { radius } => {
             return writeln!(
                 svg,
@@ -146,16 +153,18 @@ fn draw_obstacle(svg: &mut String, obstacle: &Obstacle<2>) -> std::fmt::Result {
             ]
         }
         Shape::Convex { points } => points.iter().map(|point| [point.x, point.y]).collect(),
+        Shape::Triangle { points } => points.iter().map(|point| [point.x, point.y]).collect(),
+        Shape::Segment { from, to } => vec![[from.x, from.y], [to.x, to.y]],
         Shape::Capsule { .. } | Shape::HalfSpace { .. } => return Ok(()),
     };
     let corners: Vec<String> = corners
         .iter()
-        .map(|corner| obstacle.pose.point_to_world(&(*corner).into()))
+        .map(|corner| pose.point_to_world(&(*corner).into()))
         .map(|corner| format!("{:.2},{:.2}", corner.x, corner.y))
         .collect();
     writeln!(
         svg,
-        r##"<polygon points="{}" fill="#777777"/>"##,
+        r##"<polygon points="{}" fill="#777777" stroke="#777777" stroke-width="0.2"/>"##,
         corners.join(" ")
     )
 }

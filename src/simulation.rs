@@ -10,12 +10,13 @@ use crate::math::Vector;
 use crate::metric::{Ledger, NetAnalysis, measure};
 use crate::net::Net;
 use crate::sense::{History, active_obstacles};
-use crate::shape::In;
+use crate::shape::{In, Obstacle};
 use crate::trace::record::{
     BetaAgent, Bodies as BodyProperties, Contact, FORMAT, Frame, Header, LawAccelerations, Metrics,
-    Outcome, Record, Summary, VERSION,
+    ObstaclePose, Outcome, Record, Summary, VERSION,
 };
 use crate::world::World;
+use crate::world::spec::Rotation;
 
 /// What a simulation must know between two steps, besides its world and laws, to go on
 /// bit for bit.
@@ -313,6 +314,7 @@ impl<const D: usize> Simulation<D> {
                 .flatten()
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
+            obstacles: obstacle_poses(state.obstacles),
         }
     }
 
@@ -356,6 +358,7 @@ fn beta_agents<const D: usize>(state: &Snapshot<'_, D>, range: f64) -> Vec<BetaA
             BetaAgent {
                 agent,
                 obstacle: active.obstacle,
+                part: (state.obstacles[active.obstacle].parts().len() > 1).then_some(active.part),
                 position: list(&active.projection.point),
                 velocity: list(&active.projection.velocity(&state.velocities[agent])),
                 distance: active.projection.distance,
@@ -363,6 +366,23 @@ fn beta_agents<const D: usize>(state: &Snapshot<'_, D>, range: f64) -> Vec<BetaA
         })
     };
     (0..state.positions.len()).flat_map(of_agent).collect()
+}
+
+/// Where the obstacles are that move; nothing where none does.
+fn obstacle_poses<const D: usize>(obstacles: &[Obstacle<D>]) -> Option<Vec<ObstaclePose>> {
+    let moving = obstacles.iter().enumerate();
+    let moving = moving.filter(|(_, obstacle)| obstacle.motion().is_some());
+    let poses: Vec<_> = moving
+        .map(|(index, obstacle)| ObstaclePose {
+            obstacle: index,
+            position: list(&obstacle.pose.translation),
+            rotation: match D {
+                2 => Rotation::Angle(obstacle.pose.turn[2]),
+                _ => Rotation::Vector(obstacle.pose.turn.to_vec()),
+            },
+        })
+        .collect();
+    (!poses.is_empty()).then_some(poses)
 }
 
 fn keep_least(least: &mut Option<f64>, value: Option<f64>) {

@@ -146,6 +146,7 @@ impl<const D: usize> Bodies<D> {
         };
         let (positions, velocities) = (&mut bodies.positions, &mut bodies.engine_velocities);
         bodies.physics.read(positions, velocities);
+        bodies.move_obstacles(bodies.step);
         Ok(bodies)
     }
 
@@ -224,6 +225,7 @@ impl<const D: usize> Bodies<D> {
     pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
         self.ask(flock);
         self.decide()?;
+        self.move_obstacles(self.step + 1);
         self.physics.step(Drive {
             forces: &self.forces,
             obstacles: &self.obstacles,
@@ -241,7 +243,10 @@ impl<const D: usize> Bodies<D> {
                 velocities[other] = self.engine_velocities[other];
             }
         }
-        self.check_next()?;
+        if let Err(failure) = self.check_next() {
+            self.move_obstacles(self.step);
+            return Err(failure);
+        }
         std::mem::swap(&mut self.positions, &mut self.next.0);
         std::mem::swap(&mut self.velocities, &mut self.next.1);
         std::mem::swap(&mut self.wanted, &mut self.wanted_before);
@@ -274,11 +279,11 @@ impl<const D: usize> Bodies<D> {
         let mut touches = Vec::new();
         self.physics.touches(&mut touches);
         touches.retain(|touch| touch.gap <= 0.0);
-        touches.sort_by_key(|touch| (touch.agent, touch.touched));
+        sort(&mut touches);
         for touch in &mut touches {
             touch.impulse = 0.0;
             touch.position = self.positions[touch.agent];
-            touch.approach_speed = approach_speed(touch, &self.velocities);
+            set_speeds(touch, &self.velocities, &self.obstacles);
         }
         touches
     }
@@ -286,6 +291,14 @@ impl<const D: usize> Bodies<D> {
     /// Agent-steps in which the actuator limit cut the force.
     pub fn force_cuts(&self) -> u64 {
         self.force_cuts
+    }
+
+    /// Puts the obstacles where they are after some steps.
+    fn move_obstacles(&mut self, step: u64) {
+        let time = step as f64 * self.step_size;
+        for obstacle in &mut self.obstacles {
+            obstacle.move_to(time);
+        }
     }
 
     fn time(&self) -> f64 {
@@ -354,8 +367,7 @@ impl<const D: usize> Bodies<D> {
     fn find_touches(&mut self) {
         self.touches.clear();
         self.physics.touches(&mut self.touches);
-        self.touches
-            .sort_by_key(|touch| (touch.agent, touch.touched));
+        sort(&mut self.touches);
         if self.touches.is_empty() {
             return;
         }
@@ -365,7 +377,7 @@ impl<const D: usize> Bodies<D> {
         }
         for touch in &mut self.touches {
             touch.position = self.positions[touch.agent];
-            touch.approach_speed = approach_speed(touch, &self.engine_velocities);
+            set_speeds(touch, &self.engine_velocities, &self.obstacles);
         }
     }
 
@@ -383,10 +395,38 @@ impl<const D: usize> Bodies<D> {
     }
 }
 
-fn approach_speed<const D: usize>(touch: &Touch<D>, velocities: &[Vector<D>]) -> f64 {
+/// Orders touches by who touched what. Those of one agent with several parts of one
+/// obstacle become one: the closest, with the impulses of all.
+fn sort<const D: usize>(touches: &mut Vec<Touch<D>>) {
+    touches.sort_by(|a, b| {
+        let key = |touch: &Touch<D>| (touch.agent, touch.touched);
+        key(a).cmp(&key(b)).then(a.gap.total_cmp(&b.gap))
+    });
+    touches.dedup_by(|next, kept| {
+        let same = (next.agent, next.touched) == (kept.agent, kept.touched);
+        if same {
+            kept.impulse += next.impulse;
+        }
+        same
+    });
+}
+
+/// Fills in the speeds along the normal, the obstacles being where they are now.
+fn set_speeds<const D: usize>(
+    touch: &mut Touch<D>,
+    velocities: &[Vector<D>],
+    obstacles: &[Obstacle<D>],
+) {
     let other = match touch.touched {
         Touched::Agent(other) => velocities[other],
-        Touched::Obstacle(_) => Vector::zeros(),
+        Touched::Obstacle(other) => match obstacles[other].twist() {
+            Some(twist) => {
+                let velocity = twist.at(&obstacles[other].project(&touch.position).point);
+                touch.push_speed = (-velocity.dot(&touch.normal)).max(0.0);
+                velocity
+            }
+            None => Vector::zeros(),
+        },
     };
-    (velocities[touch.agent] - other).dot(&touch.normal)
+    touch.approach_speed = (velocities[touch.agent] - other).dot(&touch.normal);
 }

@@ -62,6 +62,9 @@ pub struct Touch<const D: usize> {
     pub impulse: f64,
     /// Speed of approach along the normal, had nothing been in the way.
     pub approach_speed: f64,
+    /// Speed at which the surface of a moving obstacle advances into the agent along the
+    /// normal; 0 where it recedes, and for fixed obstacles and agents.
+    pub push_speed: f64,
     /// Unit normal, pointing from the agent to what it touched.
     pub normal: Vector<D>,
     /// Position of the agent at the start of the step.
@@ -83,8 +86,8 @@ pub trait Physics<const D: usize>: Send {
     /// Finds the contacts of the present positions, without moving anything.
     fn detect(&mut self);
 
-    /// Appends the contacts of the last step or detection; `position` and
-    /// `approach_speed` are left at zero.
+    /// Appends the contacts of the last step or detection; `position` and the speeds are
+    /// left at zero. An obstacle of several parts may come once for each.
     fn touches(&self, out: &mut Vec<Touch<D>>);
 
     /// The agents that the engine gave up because their state became non-finite.
@@ -121,6 +124,12 @@ mod plane {
     use crate::shape::plane as geometry;
     use rapier2d as rapier;
     const D: usize = 2;
+
+    /// An angular velocity in the engine's terms.
+    fn angular(rate: [f64; 3]) -> f64 {
+        rate[2]
+    }
+
     #[path = "rapier.rs"]
     mod adapter;
 }
@@ -131,6 +140,12 @@ mod space {
     use crate::shape::space as geometry;
     use rapier3d as rapier;
     const D: usize = 3;
+
+    /// An angular velocity in the engine's terms.
+    fn angular(rate: [f64; 3]) -> rapier::math::Vector {
+        rate.into()
+    }
+
     #[path = "rapier.rs"]
     mod adapter;
 }

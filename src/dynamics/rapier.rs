@@ -4,12 +4,13 @@
 use super::rapier::geometry::ContactPair;
 use super::rapier::math::Vector as RapierVector;
 use super::rapier::prelude::{
-    ColliderBuilder, ColliderHandle, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
+    ActiveHooks, ColliderBuilder, ColliderHandle, ContactModificationContext, PhysicsHooks,
+    PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
-use super::{D, geometry};
+use super::{D, angular, geometry};
 use crate::dynamics::{Drive, Engine, Physics, Touch, Touched, Unusable};
 use crate::math::Vector;
-use crate::shape::In;
+use crate::shape::{In, Obstacle, Pose};
 use crate::world::World;
 
 /// Highest speed the engine lets a body have, so high that it never shows.
@@ -22,20 +23,10 @@ impl Engine<D> for In<D> {
 
     fn restore(world: &World<D>, saved: &[u8]) -> Result<Box<dyn Physics<D>>, Unusable> {
         let engine: PhysicsWorld = postcard::from_bytes(saved).map_err(unusable)?;
-        let agents = world.agents.len();
-        let mut bodies = vec![None; agents];
-        for (handle, body) in engine.bodies.iter() {
-            if let Some(place) = bodies.get_mut(body.user_data as usize) {
-                *place = Some(handle);
-            }
-        }
-        let bodies: Option<Vec<_>> = bodies.into_iter().collect();
-        match bodies {
-            Some(bodies) if engine.colliders.len() == agents + world.obstacles.len() => {
-                Ok(Box::new(Rapier {
-                    world: engine,
-                    bodies,
-                }))
+        let parts: usize = world.obstacles.iter().map(|it| it.parts().len()).sum();
+        match Rapier::around(engine, world) {
+            Some(rapier) if rapier.world.colliders.len() == world.agents.len() + parts => {
+                Ok(Box::new(rapier))
             }
             _ => Err(Unusable("it is the state of another world".to_owned())),
         }
@@ -50,6 +41,48 @@ fn unusable(error: postcard::Error) -> Unusable {
 struct Rapier {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
+    /// The obstacles that move, by index, and their bodies.
+    moving: Vec<(usize, RigidBodyHandle)>,
+    surfaces: Surfaces,
+}
+
+/// Restitution and friction of each obstacle, where its own count.
+struct Surfaces {
+    agents: usize,
+    own: Vec<(Option<f64>, Option<f64>)>,
+}
+
+impl PhysicsHooks for Surfaces {
+    fn modify_solver_contacts(&self, context: &mut ContactModificationContext<'_>) {
+        let owner = [context.collider1, context.collider2]
+            .map(|collider| context.colliders[collider].user_data as usize)
+            .into_iter()
+            .find_map(|index| index.checked_sub(self.agents));
+        let Some((restitution, friction)) = owner.and_then(|index| self.own.get(index)) else {
+            return;
+        };
+        if let Some(contact) = context.rigid_mut() {
+            if let Some(restitution) = restitution {
+                *contact.restitution = *restitution;
+            }
+            if let Some(friction) = friction {
+                *contact.friction = *friction;
+            }
+        }
+    }
+}
+
+/// How far a turning obstacle's surface can move in a step beyond what its own velocity
+/// tells: contacts are foreseen by velocities of bodies, not of their points.
+fn sweep(obstacle: &Obstacle<D>, step: f64) -> f64 {
+    let speed = obstacle.twist().map_or(0.0, |twist| {
+        let rate = twist.rate.iter().map(|x| x * x).sum::<f64>().sqrt();
+        match rate > 0.0 {
+            true => rate * obstacle.reach(),
+            false => 0.0,
+        }
+    });
+    speed * step
 }
 
 impl Rapier {
@@ -71,44 +104,97 @@ impl Rapier {
         parameters.contact_clustering = false;
 
         let agents = &world.agents;
-        let bodies: Vec<_> = (0..agents.len())
-            .map(|i| {
-                let mut body = RigidBodyBuilder::dynamic()
-                    .translation(vector(&agents.positions[i]))
-                    .linvel(vector(&agents.velocities[i]))
-                    .can_sleep(false)
-                    .user_data(i as u128)
-                    // Contacts are foreseen along a whole step's travel: of agents
-                    // with each other, which the engine's sweeps leave out, and with walls.
-                    .soft_ccd_prediction(f64::MAX);
-                if physics.friction == 0.0 {
-                    // Nothing can turn a ball without friction.
-                    body = body.lock_rotations();
-                }
-                let collider = ColliderBuilder::ball(agents.radius[i])
-                    .mass(agents.mass[i])
-                    .user_data(i as u128)
-                    .restitution(physics.restitution)
-                    .friction(physics.friction);
-                engine.insert(body, collider).0
-            })
-            .collect();
-        for (index, obstacle) in world.obstacles.iter().enumerate() {
-            // The shape was built once already when the obstacle was made.
-            let Some(solid) = geometry::solid(&obstacle.shape) else {
-                continue;
-            };
-            let collider = ColliderBuilder::new(solid)
-                .position(geometry::pose(&obstacle.pose))
-                .user_data((bodies.len() + index) as u128)
+        for i in 0..agents.len() {
+            let mut body = RigidBodyBuilder::dynamic()
+                .translation(vector(&agents.positions[i]))
+                .linvel(vector(&agents.velocities[i]))
+                .can_sleep(false)
+                .user_data(i as u128)
+                // Contacts are foreseen along a whole step's travel: of agents
+                // with each other, which the engine's sweeps leave out, and with walls.
+                .soft_ccd_prediction(f64::MAX);
+            if physics.friction == 0.0 {
+                // Nothing can turn a ball without friction.
+                body = body.lock_rotations();
+            }
+            let collider = ColliderBuilder::ball(agents.radius[i])
+                .mass(agents.mass[i])
+                .user_data(i as u128)
                 .restitution(physics.restitution)
                 .friction(physics.friction);
-            engine.insert_collider(collider, None);
+            engine.insert(body, collider);
         }
-        Self {
+        for (index, obstacle) in world.obstacles.iter().enumerate() {
+            let body = obstacle.motion().map(|_| {
+                // Not "position-based": such a body has no velocity yet when contacts are
+                // foreseen.
+                let body = RigidBodyBuilder::kinematic_velocity_based()
+                    .pose(geometry::pose(&obstacle.pose))
+                    .can_sleep(false)
+                    .user_data((agents.len() + index) as u128);
+                engine.bodies.insert(body)
+            });
+            let own = &world.spec.obstacles[index];
+            let hooks = match (own.restitution, own.friction) {
+                (None, None) => ActiveHooks::empty(),
+                _ => ActiveHooks::MODIFY_SOLVER_CONTACTS,
+            };
+            for part in obstacle.parts() {
+                // The shape was built once already when the obstacle was made.
+                let Some(solid) = geometry::solid(&part.shape) else {
+                    continue;
+                };
+                let pose = match (&body, &part.pose) {
+                    (None, _) => part.world_pose(&obstacle.pose),
+                    (Some(_), Some(pose)) => pose.clone(),
+                    (Some(_), None) => Pose::new(Vector::zeros(), [0.0; 3]),
+                };
+                let collider = ColliderBuilder::new(solid)
+                    .position(geometry::pose(&pose))
+                    // Without mass the body's centre is its frame's origin.
+                    .density(0.0)
+                    .user_data((agents.len() + index) as u128)
+                    .active_hooks(hooks)
+                    .restitution(physics.restitution)
+                    .friction(physics.friction);
+                engine.insert_collider(collider, body);
+            }
+        }
+        let sweeps = world
+            .obstacles
+            .iter()
+            .map(|it| sweep(it, world.spec.time.step));
+        let farthest = sweeps.fold(0.0, f64::max);
+        engine.integration_parameters.normalized_prediction_distance +=
+            farthest / physics.length_unit;
+        Self::around(engine, world).expect("it was just filled")
+    }
+
+    /// The agents and obstacles of a world in an engine that holds them, which it may have
+    /// moved already; `None` where it holds others.
+    fn around(engine: PhysicsWorld, world: &World<D>) -> Option<Self> {
+        let agents = world.agents.len();
+        let mut bodies = vec![None; agents + world.obstacles.len()];
+        for (handle, body) in engine.bodies.iter() {
+            *bodies.get_mut(body.user_data as usize)? = Some(handle);
+        }
+        let obstacles = bodies.split_off(agents).into_iter().enumerate();
+        Some(Self {
+            moving: obstacles
+                .filter_map(|(index, body)| Some((index, body?)))
+                .collect(),
+            bodies: bodies.into_iter().collect::<Option<_>>()?,
             world: engine,
-            bodies,
-        }
+            surfaces: Surfaces {
+                agents,
+                own: world
+                    .spec
+                    .obstacles
+                    .iter()
+                    .map(|own| (own.restitution, own.friction))
+                    .collect(),
+            },
+        })
     }
 
     /// What a collider belongs to, by its user data: the agents count first, then the
@@ -151,6 +237,7 @@ impl Rapier {
             gap,
             impulse,
             approach_speed: 0.0,
+            push_speed: 0.0,
             normal: normal.to_array().into(),
             position: Vector::zeros(),
         })
@@ -179,11 +266,29 @@ impl Physics<D> for Rapier {
             body.reset_forces(false);
             body.add_force(vector(force), false);
         }
-        self.world.step();
+        let step = self.world.integration_parameters.dt;
+        for (index, handle) in &self.moving {
+            let Some(obstacle) = drive.obstacles.get(*index) else {
+                continue;
+            };
+            let body = &mut self.world.bodies[*handle];
+            let way = vector(&obstacle.pose.translation) - body.translation();
+            body.set_linvel(way / step, false);
+            let rate = obstacle.twist().map_or([0.0; 3], |twist| twist.rate);
+            body.set_angvel(angular(rate), false);
+        }
+        self.world.step_with_events(&self.surfaces, &());
+        // Exactly where they are to be: the engine's own steps would drift away.
+        for (index, handle) in &self.moving {
+            if let Some(obstacle) = drive.obstacles.get(*index) {
+                let pose = geometry::pose(&obstacle.pose);
+                self.world.bodies[*handle].set_position(pose, false);
+            }
+        }
     }
 
     fn detect(&mut self) {
-        self.world.detect_collisions(&(), &());
+        self.world.detect_collisions(&self.surfaces, &());
     }
 
     fn touches(&self, out: &mut Vec<Touch<D>>) {

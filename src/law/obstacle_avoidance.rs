@@ -20,13 +20,19 @@
 //! | `gamma.spacing` | d_γ | length |
 //! | `gamma.direction` | n_d | direction |
 //!
-//! A half-space has no centre and so no γ-agent. Inside an obstacle (d < 0) the damping takes
-//! the part of p across the surface only: p̂ has no bound there.
+//! Of an obstacle of several parts, either each part in range is an O_k, or the obstacle as
+//! a whole is one, acting by its nearest point. γ-agents belong to what has a centre within
+//! it: solid convex parts. Half-spaces, thin walls and obstacles that act as a whole but
+//! have several parts have none.
+//!
+//! Where an obstacle moves, p̂ counts its motion (Remark 7), and the γ-agent moves along.
+//! Inside an obstacle (d < 0) the damping takes the part of the relative velocity across the
+//! surface only: p̂ has no bound there.
 
 use crate::law::Law;
 use crate::math::{Action, Bump, Vector, direction};
 use crate::sense::{Scene, active_obstacles};
-use crate::shape::{Obstacle, Projection};
+use crate::shape::{Acting, Obstacle, Projection};
 use crate::world::spec::ObstacleAvoidanceSpec;
 use crate::world::{World, vector};
 
@@ -40,21 +46,20 @@ pub struct ObstacleAvoidance<const D: usize> {
     action: Action,
     bump: Bump,
     gamma_spacing: f64,
-    /// The γ-agent of each obstacle, where it has one.
-    gamma_agents: Vec<Option<Vector<D>>>,
+    /// n_d and λ_d, where there are γ-agents.
+    gamma: Option<(Vector<D>, f64)>,
+    /// The γ-agents of each obstacle, by part; none for obstacles that have none.
+    gamma_agents: Vec<Vec<Option<Vector<D>>>>,
 }
 
 impl<const D: usize> ObstacleAvoidance<D> {
     /// The law with the parameters of a checked world file, for that world's obstacles.
     pub fn new(spec: &ObstacleAvoidanceSpec, world: &World<D>) -> Self {
-        let along = spec.gamma.as_ref().and_then(|gamma| {
+        let gamma = spec.gamma.as_ref().and_then(|gamma| {
             let along = vector(gamma.direction.as_ref()?);
             Some((direction(&along), gamma.offset))
         });
-        let gamma_agent = |obstacle: &Obstacle<D>| {
-            let (along, offset) = along?;
-            obstacle.interior_point(&along, offset)
-        };
+        let of_obstacle = |obstacle| gamma_agents(obstacle, gamma);
         Self {
             range: spec.range,
             standoff: spec.standoff,
@@ -63,7 +68,8 @@ impl<const D: usize> ObstacleAvoidance<D> {
             action: spec.action.action(),
             bump: Bump::new(spec.bump_start),
             gamma_spacing: spec.gamma.as_ref().map_or(0.0, |gamma| gamma.spacing),
-            gamma_agents: world.obstacles.iter().map(gamma_agent).collect(),
+            gamma,
+            gamma_agents: world.obstacles.iter().map(of_obstacle).collect(),
         }
     }
 }
@@ -73,6 +79,14 @@ impl<const D: usize> Law<D> for ObstacleAvoidance<D> {
         "obstacle_avoidance"
     }
 
+    fn prepare(&mut self, scene: &Scene<'_, D>) {
+        for (agents, obstacle) in self.gamma_agents.iter_mut().zip(scene.obstacles) {
+            if obstacle.motion().is_some() {
+                *agents = gamma_agents(obstacle, self.gamma);
+            }
+        }
+    }
+
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
         for (k, acceleration) in out.iter_mut().enumerate() {
             let (q, p) = (&scene.positions[first + k], &scene.velocities[first + k]);
@@ -80,7 +94,8 @@ impl<const D: usize> Law<D> for ObstacleAvoidance<D> {
                 let beta = &active.projection;
                 let distance = beta.distance;
                 let mut sum = beta.normal * -self.action.repulsion(distance - self.standoff);
-                if let Some(gamma) = &self.gamma_agents[active.obstacle] {
+                let gamma_agents = &self.gamma_agents[active.obstacle];
+                if let Some(Some(gamma)) = gamma_agents.get(active.part) {
                     let way = gamma - q;
                     let stretch = way.norm() - self.gamma_spacing;
                     sum += direction(&way) * self.action.force(stretch);
@@ -94,12 +109,27 @@ impl<const D: usize> Law<D> for ObstacleAvoidance<D> {
     }
 }
 
+/// The γ-agents of an obstacle, one for each part that acts on its own, where it has one.
+fn gamma_agents<const D: usize>(
+    obstacle: &Obstacle<D>,
+    gamma: Option<(Vector<D>, f64)>,
+) -> Vec<Option<Vector<D>>> {
+    let parts = obstacle.parts().len();
+    match gamma {
+        Some((along, offset)) if parts == 1 || obstacle.acting() == Acting::Each => (0..parts)
+            .map(|part| obstacle.part_interior_point(part, &along, offset))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// p̂ − p outside. Inside, the surface point runs ever faster the nearer the agent is to
-/// the middle, so there only the part across the surface is damped.
+/// the middle, so there only the part across the surface is damped, relative to it.
 fn drift<const D: usize>(beta: &Projection<D>, p: &Vector<D>) -> Vector<D> {
     if beta.distance >= 0.0 {
         beta.velocity(p) - p
     } else {
-        beta.normal * -beta.normal.dot(p)
+        let relative = p - beta.surface_velocity();
+        beta.normal * -beta.normal.dot(&relative)
     }
 }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
+use crate::math::turn::quarter;
+
 /// The bump function ρ of Olfati-Saber (2003), (16): 1 up to k0, 0 from 1 on, and
 /// ½(1 + cos(π(z − k0)/(1 − k0))) in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,41 +42,13 @@ impl Bump {
             // becomes a quarter turn of y, which needs no reduction:
             // cos θ = −2 sin y cos y and sin θ = 1 − 2 sin² y.
             let rate = PI / (1.0 - self.start);
-            let (sin, cos) = sin_cos(0.5 * rate * (z - self.start) - FRAC_PI_4);
+            let (sin, cos) = quarter(0.5 * rate * (z - self.start) - FRAC_PI_4);
             (
                 (0.5 - sin * cos).max(0.0),
                 -0.5 * rate * (1.0 - 2.0 * sin * sin),
             )
         }
     }
-}
-
-/// Sine and cosine of an angle within a quarter turn, −π/4 to π/4, to about one unit in
-/// the last place: minimax polynomials of degree 13 and 14. Much quicker than the
-/// library's, whose range reduction is not needed, and the same on every platform.
-#[inline]
-fn sin_cos(y: f64) -> (f64, f64) {
-    const SIN: [f64; 6] = [
-        1.589_690_995_211_55e-10,
-        -2.505_076_025_340_686_3e-8,
-        2.755_731_370_707_006_8e-6,
-        -1.984_126_982_985_795e-4,
-        8.333_333_333_322_49e-3,
-        -1.666_666_666_666_663_2e-1,
-    ];
-    const COS: [f64; 6] = [
-        -1.135_964_755_778_819_5e-11,
-        2.087_572_321_298_175e-9,
-        -2.755_731_435_139_066_3e-7,
-        2.480_158_728_947_673e-5,
-        -1.388_888_888_887_411e-3,
-        4.166_666_666_666_66e-2,
-    ];
-    let z = y * y;
-    let polynomial = |coefficients: [f64; 6]| coefficients.iter().fold(0.0, |sum, c| sum * z + c);
-    let sin = y + y * z * polynomial(SIN);
-    let cos = 1.0 - 0.5 * z + z * z * polynomial(COS);
-    (sin, cos)
 }
 
 #[cfg(test)]

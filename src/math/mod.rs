@@ -5,12 +5,14 @@ mod alpha_pair;
 mod angle;
 mod bump;
 mod normal;
+mod turn;
 
 pub use action::Action;
 pub use alpha_pair::{AlphaPair, Fade};
 pub use angle::{angle_between, turn_between};
 pub use bump::Bump;
 pub use normal::normal_quantile;
+pub use turn::{sin_cos, sin_cos_of_turns};
 
 /// A vector of the `D`-dimensional world.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;

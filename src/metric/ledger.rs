@@ -99,6 +99,7 @@ impl Ledger {
             largest_impulse: 0.0,
             deepest_penetration: 0.0,
             approach_speed: touch.approach_speed,
+            push_speed: 0.0,
             position: touch.position.iter().copied().collect(),
         }
     }
@@ -114,6 +115,7 @@ impl Ledger {
         let count = self.count(contact.with);
         count.largest_impulse = count.largest_impulse.max(touch.impulse);
         count.deepest_penetration = count.deepest_penetration.max(penetration);
+        count.pushed += u64::from(contact.push_speed == 0.0 && touch.push_speed > 0.0);
         let smallest = match contact.with {
             Partner::Agent => &mut self.smallest_agent_gap,
             Partner::Obstacle => &mut self.smallest_obstacle_gap,
@@ -125,6 +127,7 @@ impl Ledger {
             steps: contact.steps + u64::from(begin < end),
             largest_impulse: contact.largest_impulse.max(touch.impulse),
             deepest_penetration: contact.deepest_penetration.max(penetration),
+            push_speed: contact.push_speed.max(touch.push_speed),
             ..contact
         }
     }
@@ -149,6 +152,7 @@ mod tests {
             gap,
             impulse,
             approach_speed: 2.0,
+            push_speed: 0.0,
             normal: Vector::<2>::new(1.0, 0.0),
             position: Vector::<2>::new(3.0, 4.0),
         }
@@ -192,5 +196,24 @@ mod tests {
         ledger.enter(0.0, 0.1, &[touch(2, Touched::Obstacle(0), 0.0, 1.0)]);
         assert_eq!(ledger.obstacle_contacts().episodes, 1);
         assert_eq!(ledger.agent_contacts().episodes, 0);
+    }
+
+    #[test]
+    fn an_episode_counts_once_as_pushed() {
+        let mut ledger = Ledger::default();
+        let pushing = |push_speed| Touch {
+            push_speed,
+            ..touch(2, Touched::Obstacle(0), 0.0, 1.0)
+        };
+        for (step, push_speed) in [0.0, 0.5, 2.0, 1.0].into_iter().enumerate() {
+            let begin = 0.1 * step as f64;
+            ledger.enter(begin, begin + 0.1, &[pushing(push_speed)]);
+        }
+        assert_eq!(ledger.obstacle_contacts().pushed, 1);
+        let over = ledger.enter::<2>(0.4, 0.5, &[]);
+        assert_eq!(over[0].push_speed, 2.0);
+        ledger.enter(0.5, 0.6, &[pushing(0.0)]);
+        let counted = ledger.obstacle_contacts();
+        assert_eq!((counted.episodes, counted.pushed), (2, 1));
     }
 }

@@ -112,17 +112,21 @@ impl<const D: usize> Scene<'_, D> {
     }
 }
 
-/// An obstacle near enough to act on an agent, with the agent's projection on it.
+/// An obstacle, or one part of it, near enough to act on an agent, with the agent's
+/// projection on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Active<const D: usize> {
     /// Index of the obstacle.
     pub obstacle: usize,
+    /// Index of the part that the agent is projected on.
+    pub part: usize,
     /// The β-agent.
     pub projection: Projection<D>,
 }
 
-/// The obstacles whose surface is at most `range` from `point`, or that contain it:
-/// the active obstacles of Olfati-Saber (2003), §11, in the order of the world.
+/// The obstacles whose surface is at most `range` from `point`, or that contain it: the
+/// active obstacles of Olfati-Saber (2003), §11, in the order of the world. Of an obstacle
+/// of several parts that act each on its own, all those parts, in their order.
 pub fn active_obstacles<'a, const D: usize>(
     obstacles: &'a [Obstacle<D>],
     point: &'a Vector<D>,
@@ -132,9 +136,12 @@ pub fn active_obstacles<'a, const D: usize>(
         .iter()
         .enumerate()
         .filter(move |(_, obstacle)| obstacle.may_reach(point, range))
-        .map(|(index, obstacle)| Active {
-            obstacle: index,
-            projection: obstacle.project(point),
+        .flat_map(move |(index, obstacle)| {
+            let projections = obstacle.projections(point, range);
+            projections.map(move |(part, projection)| Active {
+                obstacle: index,
+                part,
+                projection,
+            })
         })
-        .filter(move |active| active.projection.distance <= range)
 }

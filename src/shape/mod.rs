@@ -1,22 +1,33 @@
 //! Obstacle shapes: closest points, their exact derivatives, and bounds.
 //!
-//! A shape is a core (a point, a segment, a convex polytope or a half-space)
-//! rounded by a radius. The closest point comes from a parry query on the core;
-//! what the query does not tell, the feature it landed on and with it the
+//! A shape is a core (a point, a segment, a triangle in space, a convex polytope or a
+//! half-space) rounded by a radius. The closest point comes from a parry query on the
+//! core; what the query does not tell, the feature it landed on and with it the
 //! derivative of the closest-point map, is added here, once for both dimensions.
+//! An obstacle is made of one such shape or of many, its parts, and may move.
 
+mod core;
+mod facet;
+mod motion;
 mod obstacle;
+mod part;
+mod parts;
 mod pose;
+mod projection;
 mod sight;
+pub mod surface;
 
-pub use obstacle::{Obstacle, Projection};
+pub use motion::{Easing, Motion, Twist};
+pub use obstacle::{Acting, Obstacle};
+pub use part::Part;
 pub use pose::Pose;
+pub use projection::Projection;
 
 use std::fmt::Debug;
 
 use crate::math::Vector;
 
-/// A convex solid of `D` dimensions, in its own frame.
+/// A convex shape of `D` dimensions, in its own frame: a solid, or something thin.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape<const D: usize> {
     /// All points within `radius` of the origin.
@@ -48,6 +59,34 @@ pub enum Shape<const D: usize> {
         /// The points.
         points: Vec<Vector<D>>,
     },
+    /// All points of a segment, which has no inside.
+    Segment {
+        /// One end.
+        from: Vector<D>,
+        /// The other end.
+        to: Vector<D>,
+    },
+    /// A triangle: a solid in the plane, a thin facet without inside in space.
+    Triangle {
+        /// The corners, not on one line.
+        points: [Vector<D>; 3],
+    },
+}
+
+impl<const D: usize> Shape<D> {
+    /// Whether it has no inside, so that it is outside on both sides.
+    pub fn is_thin(&self) -> bool {
+        match self {
+            Self::Segment { .. } => true,
+            Self::Triangle { .. } => D == 3,
+            _ => false,
+        }
+    }
+
+    /// Whether it ends somewhere in every direction.
+    pub fn is_bounded(&self) -> bool {
+        !matches!(self, Self::HalfSpace { .. })
+    }
 }
 
 /// A flat face of a polytope: the solid lies where normal · x ≤ offset.
@@ -73,10 +112,21 @@ pub trait Query<const D: usize>: Debug + Send + Sync {
     fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>);
 }
 
+/// A tree of boxes, to find those near to a point among many.
+pub trait Tree<const D: usize>: Debug + Send + Sync {
+    /// Appends the boxes at most `range` from `point`, in no particular order.
+    fn within(&self, point: &Vector<D>, range: f64, found: &mut Vec<usize>);
+    /// The box of the lowest cost. No cost may be below the distance to the box, but for
+    /// points inside the box.
+    fn nearest(&self, point: &Vector<D>, cost: &dyn Fn(usize) -> f64) -> Option<usize>;
+}
+
 /// Access to parry's types of one dimension; implemented by [`In<2>`] and [`In<3>`].
 pub trait Geometry<const D: usize> {
     /// Prepares a shape for queries; `None` where parry finds no solid in it.
     fn query(shape: &Shape<D>) -> Option<Box<dyn Query<D>>>;
+    /// A tree of some finite boxes, given by lowest and highest corner.
+    fn tree(boxes: &[(Vector<D>, Vector<D>)]) -> Box<dyn Tree<D>>;
 }
 
 /// The dimension `D` as a type, to hang per-dimension code on.
@@ -93,12 +143,17 @@ pub(crate) mod plane {
     mod adapter;
     pub(crate) use adapter::{pose, solid};
 
-    fn turn(turn: [f64; 3]) -> f64 {
-        turn[2]
+    fn rotation(matrix: &crate::math::Matrix<D>) -> parry::math::Rotation {
+        parry::math::Rotation::from_cos_sin_unchecked(matrix[(0, 0)], matrix[(1, 0)])
     }
 
     /// The edges of a polygon.
     fn hull_faces(shape: &parry::shape::SharedShape) -> Vec<super::Face<D>> {
+        if let Some(triangle) = shape.as_triangle() {
+            let corners = [triangle.a, triangle.b, triangle.c];
+            let corners = corners.map(|corner| corner.to_array().into());
+            return super::core::triangle_faces(&corners);
+        }
         let Some(polygon) = shape.as_convex_polygon() else {
             return Vec::new();
         };
@@ -124,8 +179,13 @@ pub(crate) mod space {
     mod adapter;
     pub(crate) use adapter::{pose, solid};
 
-    fn turn(turn: [f64; 3]) -> parry::math::Vector {
-        turn.into()
+    fn rotation(matrix: &crate::math::Matrix<D>) -> parry::math::Rotation {
+        let columns = std::array::from_fn(|k| {
+            let column: [f64; D] = matrix.column(k).into();
+            column.into()
+        });
+        let [x, y, z] = columns;
+        parry::math::Rotation::from_mat3(&parry::math::Matrix::from_cols(x, y, z))
     }
 
     /// The faces of a polyhedron.

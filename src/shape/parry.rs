@@ -1,16 +1,18 @@
 //! The adapter to parry, compiled once for each dimension (see `shape::plane` and
 //! `shape::space`, which say what `parry` and `D` are).
 
+use super::parry::bounding_volume::Aabb;
 use super::parry::math::{Pose as ParryPose, Vector as ParryVector};
+use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::parry::query::Ray;
 use super::parry::shape::{Segment, SharedShape};
-use super::{D, hull_faces, parry, turn};
+use super::{D, hull_faces, parry, rotation};
 use crate::math::Vector;
-use crate::shape::{Face, Geometry, In, Pose, Query, Shape};
+use crate::shape::{Face, Geometry, In, Pose, Query, Shape, Tree};
 
 /// A pose in parry's terms.
 pub(crate) fn pose(pose: &Pose<D>) -> ParryPose {
-    ParryPose::new(vector(&pose.translation), turn(pose.turn))
+    ParryPose::from_parts(vector(&pose.translation), rotation(pose.rotation()))
 }
 
 /// The solid in parry's terms; `None` where it is flat or empty.
@@ -28,6 +30,10 @@ pub(crate) fn solid(shape: &Shape<D>) -> Option<SharedShape> {
             let points: Vec<_> = points.iter().map(vector).collect();
             SharedShape::convex_hull(&points)?
         }
+        Shape::Segment { from, to } => SharedShape::segment(vector(from), vector(to)),
+        Shape::Triangle { points: [a, b, c] } => {
+            SharedShape::triangle(vector(a), vector(b), vector(c))
+        }
     })
 }
 
@@ -42,6 +48,53 @@ impl Geometry<D> for In<D> {
             _ => solid.clone(),
         };
         Some(Box::new(ParryQuery { solid, core }))
+    }
+
+    fn tree(boxes: &[(Vector<D>, Vector<D>)]) -> Box<dyn Tree<D>> {
+        let boxes: Vec<Aabb> = boxes
+            .iter()
+            .map(|(min, max)| Aabb::new(vector(min), vector(max)))
+            .collect();
+        Box::new(ParryTree(Bvh::from_leaves(
+            BvhBuildStrategy::Binned,
+            &boxes,
+        )))
+    }
+}
+
+/// Parry's tree of boxes.
+struct ParryTree(Bvh);
+
+impl std::fmt::Debug for ParryTree {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "ParryTree({})", self.0.leaf_count())
+    }
+}
+
+/// Distance from a point to a box, 0 inside.
+fn distance(node: &BvhNode, point: ParryVector) -> f64 {
+    (point - point.max(node.mins()).min(node.maxs())).length()
+}
+
+impl Tree<D> for ParryTree {
+    fn within(&self, point: &Vector<D>, range: f64, found: &mut Vec<usize>) {
+        let point = vector(point);
+        let near = self.0.leaves(|node| distance(node, point) <= range);
+        found.extend(near.map(|leaf| leaf as usize));
+    }
+
+    fn nearest(&self, point: &Vector<D>, cost: &dyn Fn(usize) -> f64) -> Option<usize> {
+        let point = vector(point);
+        // Around the point, boxes are looked at whatever has been found already: in a
+        // solid, costs fall below 0.
+        let least = |node: &BvhNode, _| match distance(node, point) {
+            0.0 => f64::NEG_INFINITY,
+            apart => apart,
+        };
+        let best = self
+            .0
+            .find_best(f64::MAX, least, |leaf, _| Some(cost(leaf as usize)));
+        best.map(|(leaf, _)| leaf as usize)
     }
 }
 

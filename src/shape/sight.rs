@@ -7,11 +7,12 @@ impl<const D: usize> Obstacle<D> {
     /// Whether the obstacle stands between two points: whether the segment between them
     /// meets the solid. A segment that only touches it counts as meeting it, to rounding
     /// (for hulls, to about 1e-7 of their size). A point inside is hidden from all others.
+    /// A segment within the plane of a thin part may be found to pass it.
     pub fn blocks(&self, from: &Vector<D>, to: &Vector<D>) -> bool {
         let middle = (from + to) * 0.5;
         let half = (to - from).norm() * 0.5;
         self.may_reach(&middle, half)
-            && self.query.meets(
+            && self.parts.meet(
                 &self.pose.point_to_local(from),
                 &self.pose.point_to_local(to),
             )

@@ -8,7 +8,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::world::spec::WorldSpec;
+use crate::world::spec::{Rotation, WorldSpec};
 
 /// Name of the format, in every header.
 pub const FORMAT: &str = "volary-trace";
@@ -98,6 +98,20 @@ pub struct Frame {
     /// that perceives first; sorted. Scopes are not regarded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub links: Option<Vec<[usize; 2]>>,
+    /// Where the moving obstacles are; absent where none moves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub obstacles: Option<Vec<ObstaclePose>>,
+}
+
+/// Where a moving obstacle is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ObstaclePose {
+    /// The obstacle.
+    pub obstacle: usize,
+    /// Position of its frame's origin.
+    pub position: Vec<f64>,
+    /// Rotation of its frame: an angle in 2-D, a rotation vector in 3-D, in radians.
+    pub rotation: Rotation,
 }
 
 /// The acceleration that one law asks of each agent.
@@ -116,9 +130,12 @@ pub struct BetaAgent {
     pub agent: usize,
     /// The obstacle.
     pub obstacle: usize,
+    /// The part of the obstacle, counted from 0; absent where it has only one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<usize>,
     /// Position on the obstacle's surface, q̂.
     pub position: Vec<f64>,
-    /// Velocity along the surface, p̂.
+    /// Velocity p̂: along the surface, and with it where the obstacle moves.
     pub velocity: Vec<f64>,
     /// Distance from the agent's centre to the surface; negative inside.
     pub distance: f64,
@@ -287,6 +304,10 @@ pub struct Contact {
     /// Speed at which the bodies approached each other along the normal, just
     /// before they touched; negative where they were parting.
     pub approach_speed: f64,
+    /// Largest speed at which the surface of a moving obstacle advanced into the agent
+    /// along the normal; 0 for fixed obstacles and for agents.
+    #[serde(default)]
+    pub push_speed: f64,
     /// Position of the agent at the start of the first step in which they touched.
     pub position: Vec<f64>,
 }
@@ -350,4 +371,7 @@ pub struct ContactCount {
     pub deepest_penetration: f64,
     /// Highest approach speed.
     pub highest_approach_speed: f64,
+    /// Number of episodes in which a moving obstacle advanced into the agent.
+    #[serde(default)]
+    pub pushed: u64,
 }

@@ -7,6 +7,7 @@
 pub mod check;
 mod describe;
 pub mod document;
+mod obstacles;
 pub mod path;
 mod placement;
 pub mod problem;

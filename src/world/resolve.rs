@@ -1,16 +1,16 @@
 //! A world, ready to run: agents placed, obstacles built.
 
 use crate::math::Vector;
-use crate::shape::{Geometry, In, Obstacle, Pose, Shape};
+use crate::shape::{Geometry, In, Obstacle};
 use crate::world::check;
+use crate::world::obstacles;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
 use crate::world::spec::{
-    AlphaInteractionSpec, LawSpec, ObstacleSpec, PerAgent, Rotation, ScopeSpec, ShapeSpec,
-    WorldSpec, acts_on, each_law, each_law_mut,
+    AlphaInteractionSpec, LawSpec, PerAgent, ScopeSpec, WorldSpec, acts_on, each_law, each_law_mut,
 };
-use crate::world::velocity::{turn, velocities};
-use crate::world::{vector, vector_or_zero};
+use crate::world::vector_or_zero;
+use crate::world::velocity::velocities;
 
 /// A world of either dimension.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub struct World<const D: usize> {
     pub spec: WorldSpec,
     /// The agents at the start.
     pub agents: Agents<D>,
-    /// The obstacles.
+    /// The obstacles, where they are at time 0.
     pub obstacles: Vec<Obstacle<D>>,
     /// Acceleration of gravity.
     pub gravity: Vector<D>,
@@ -104,7 +104,7 @@ where
     }
 
     fn resolve(name: String, mut spec: WorldSpec) -> Result<Self, Vec<Problem>> {
-        let obstacles = obstacles(&spec.obstacles)?;
+        let obstacles = obstacles::build(&spec.obstacles)?;
         for group in &mut spec.agents {
             group.count = check::size(group);
         }
@@ -200,11 +200,7 @@ fn fill_in<const D: usize>(spec: &mut WorldSpec) {
     let zeros = || vec![0.0; D];
     spec.physics.gravity.get_or_insert_with(zeros);
     for obstacle in &mut spec.obstacles {
-        obstacle.position.get_or_insert_with(zeros);
-        obstacle.rotation.get_or_insert(match D {
-            2 => Rotation::Angle(0.0),
-            _ => Rotation::Vector(vec![0.0; 3]),
-        });
+        obstacles::fill_in::<D>(obstacle);
     }
     let targets: Vec<Option<Vec<f64>>> = each_law(&spec.laws)
         .map(|(scope, _)| check::velocity_to_follow(spec, scope).cloned())
@@ -235,56 +231,4 @@ fn sound(spec: &WorldSpec) -> Result<(), Vec<Problem>> {
     } else {
         Err(problems)
     }
-}
-
-fn obstacles<const D: usize>(specs: &[ObstacleSpec]) -> Result<Vec<Obstacle<D>>, Vec<Problem>>
-where
-    In<D>: Geometry<D>,
-{
-    let mut obstacles = Vec::new();
-    let mut problems = Vec::new();
-    for (index, spec) in specs.iter().enumerate() {
-        let name = spec
-            .name
-            .clone()
-            .unwrap_or_else(|| format!("obstacle {index}"));
-        match Obstacle::new(name, shape(&spec.shape), pose(spec)) {
-            Some(obstacle) => obstacles.push(obstacle),
-            None => problems.push(Problem::new(
-                format!("obstacles[{index}].shape"),
-                "is too thin to make a solid of: it must be about a thousandth as thick as it is \
-                 wide",
-            )),
-        }
-    }
-    if problems.is_empty() {
-        Ok(obstacles)
-    } else {
-        Err(problems)
-    }
-}
-
-fn shape<const D: usize>(spec: &ShapeSpec) -> Shape<D> {
-    match spec {
-        ShapeSpec::Ball { radius } => Shape::Ball { radius: *radius },
-        ShapeSpec::Cuboid { half_extents } => Shape::Cuboid {
-            half_extents: vector(half_extents),
-        },
-        ShapeSpec::Capsule { from, to, radius } => Shape::Capsule {
-            from: vector(from),
-            to: vector(to),
-            radius: *radius,
-        },
-        ShapeSpec::HalfSpace { normal } => Shape::HalfSpace {
-            normal: crate::math::direction(&vector(normal)),
-        },
-        ShapeSpec::Convex { points } => Shape::Convex {
-            points: points.iter().map(|point| vector(point)).collect(),
-        },
-    }
-}
-
-fn pose<const D: usize>(spec: &ObstacleSpec) -> Pose<D> {
-    let turn = spec.rotation.as_ref().map_or([0.0; 3], turn);
-    Pose::new(vector_or_zero(&spec.position), turn)
 }

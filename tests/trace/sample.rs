@@ -6,6 +6,7 @@ use std::path::Path;
 use serde_json::json;
 use volary::trace::record::*;
 use volary::trace::{Format, TraceError, TraceReader, TraceWriter};
+use volary::world::spec::Rotation;
 
 pub const NAMES: [&str; 6] = [
     "t.jsonl",
@@ -99,6 +100,7 @@ pub fn frame(step: u64) -> Frame {
         beta_agents: Some(vec![BetaAgent {
             agent: 1,
             obstacle: 0,
+            part: None,
             position: vec![1.0, 2.0],
             velocity: vec![3.0, 4.0],
             distance: 0.5,
@@ -106,6 +108,11 @@ pub fn frame(step: u64) -> Frame {
         edges: Some(vec![[0, 1]]),
         net: Some(Box::new(net())),
         links: Some(vec![[0, 1], [1, 0]]),
+        obstacles: Some(vec![ObstaclePose {
+            obstacle: 0,
+            position: vec![0.5, -0.0],
+            rotation: Rotation::Angle(0.25),
+        }]),
     }
 }
 
@@ -121,6 +128,7 @@ pub fn contact() -> Contact {
         largest_impulse: 0.7,
         deepest_penetration: 0.0,
         approach_speed: 1.5,
+        push_speed: 0.25,
         position: vec![0.5, 0.25],
     }
 }
@@ -141,6 +149,7 @@ pub fn summary() -> Summary {
             largest_impulse: 0.7,
             deepest_penetration: 0.1,
             highest_approach_speed: 1.5,
+            pushed: 1,
         },
         force_cuts: 3,
         smallest_agent_gap: Some(0.5),

@@ -125,23 +125,6 @@ impl Check {
         }
     }
 
-    /// A rotation, or a rate of rotation, takes the form of the world's dimension.
-    fn rotation(&mut self, path: &str, rotation: &Rotation) {
-        match rotation {
-            Rotation::Vector(vector) if self.dimension == 3 => {
-                self.vector(path, vector);
-            }
-            Rotation::Vector(_) => {
-                self.add(path, "must be one number in 2-D, the angle in radians")
-            }
-            Rotation::Angle(_) if self.dimension == 3 => self.add(
-                path,
-                "must be 3 numbers in 3-D, the axis times the angle in radians",
-            ),
-            Rotation::Angle(_) => {}
-        }
-    }
-
     fn vectors(&mut self, path: &str, vectors: &[Vec<f64>]) {
         for (index, vector) in vectors.iter().enumerate() {
             self.vector(&format!("{path}[{index}]"), vector);

@@ -88,7 +88,8 @@ impl Check {
                 self.optional_vector(&format!("{path}.outward.center"), &outward.center);
             }
             VelocitySpec::Rotating(rotating) => {
-                self.rotation(&format!("{path}.rotating.rate"), &rotating.rate);
+                let unit = ["rate", "radians per time"];
+                self.rotation(&format!("{path}.rotating.rate"), &rotating.rate, unit);
                 self.optional_vector(&format!("{path}.rotating.center"), &rotating.center);
             }
             VelocitySpec::Explicit(listed) => {

@@ -9,6 +9,7 @@
 
 mod agents;
 mod law;
+mod motion;
 mod obstacle;
 mod scope;
 mod sensing;
@@ -22,7 +23,8 @@ pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
     LawSpec, NavigationSpec, ObstacleAvoidanceSpec, Steered,
 };
-pub use obstacle::{ObstacleSpec, Rotation, ShapeSpec};
+pub use motion::{EasingSpec, MotionSpec};
+pub use obstacle::{BetaAgents, CompoundPart, Heights, ObstacleSpec, Rotation, ShapeSpec};
 pub(in crate::world) use scope::each_law_mut;
 pub use scope::{ScopeSpec, acts_on, each_law};
 pub use sensing::{BlockedBySpec, ConeSpec, FieldOfViewSpec, NoiseSpec, SensingSpec};
@@ -60,7 +62,7 @@ pub struct WorldSpec {
     /// The agents, in groups.
     #[schemars(length(min = 1))]
     pub agents: Vec<GroupSpec>,
-    /// The obstacles: fixed convex bodies.
+    /// The obstacles, fixed or moving.
     #[serde(default)]
     pub obstacles: Vec<ObstacleSpec>,
     /// The laws whose sum accelerates the agents.

@@ -1,4 +1,4 @@
-//! Projections onto every obstacle shape, against brute force and central differences.
+//! Convex shapes, against brute force and central differences.
 
 use proptest::prelude::*;
 use volary::math::Vector;
@@ -48,7 +48,7 @@ where
 /// Whether a world point lies in the solid, from the shape's definition alone.
 fn contains<const D: usize>(obstacle: &Obstacle<D>, point: &Vector<D>) -> bool {
     let q = obstacle.pose.point_to_local(point);
-    match &obstacle.shape {
+    match &obstacle.parts()[0].shape {
         Shape::Ball { radius } => q.norm() <= *radius,
         Shape::Cuboid { half_extents } => (0..D).all(|k| q[k].abs() <= half_extents[k]),
         Shape::Capsule { from, to, radius } => {
@@ -58,12 +58,13 @@ fn contains<const D: usize>(obstacle: &Obstacle<D>, point: &Vector<D>) -> bool {
         }
         Shape::HalfSpace { normal } => normal.dot(&q) <= 0.0,
         Shape::Convex { points } => in_hull(points, &q),
+        Shape::Segment { .. } | Shape::Triangle { .. } => unreachable!("not in this list"),
     }
 }
 
 /// Whether `q` is in the hull: no plane through D of the points has all points on one side
 /// and `q` on the other.
-fn in_hull<const D: usize>(points: &[Vector<D>], q: &Vector<D>) -> bool {
+pub fn in_hull<const D: usize>(points: &[Vector<D>], q: &Vector<D>) -> bool {
     let outside = |normal: Vector<D>, on: &Vector<D>| {
         let side = |p: &Vector<D>| normal.dot(&(p - on));
         let above = points.iter().all(|p| side(p) <= 1e-12) && side(q) > 1e-12;
@@ -123,7 +124,7 @@ where
     for obstacle in obstacles::<D>(turn) {
         let projection = obstacle.project(&at);
         let inside = contains(&obstacle, &at);
-        let shape = &obstacle.shape;
+        let shape = &obstacle.parts()[0].shape;
 
         // The parts fit together.
         assert_eq!(projection.distance < 0.0, inside, "{shape:?}");
@@ -189,7 +190,7 @@ where
         assert!(
             error < 1e-5,
             "{:?}: {exact} is not {central}",
-            obstacle.shape
+            obstacle.parts()[0].shape
         );
     }
     compared
@@ -247,12 +248,12 @@ fn centres_and_surfaces_are_no_special_places() {
             assert!(
                 all.iter().all(|v| v.iter().all(|x| x.is_finite())),
                 "{:?}",
-                obstacle.shape
+                obstacle.parts()[0].shape
             );
             assert!(
                 (projection.normal.norm() - 1.0).abs() < 1e-9,
                 "{:?}",
-                obstacle.shape
+                obstacle.parts()[0].shape
             );
         }
         assert!(obstacle.project(&surface).distance.abs() < 1e-7);
@@ -264,7 +265,7 @@ fn gamma_agents_sit_between_centre_and_surface() {
     for obstacle in obstacles::<3>([0.4, 0.2, -0.1]) {
         let along = Vector::<3>::new(2.0, -1.0, 0.5).normalize();
         let Some(center) = obstacle.center() else {
-            assert!(matches!(obstacle.shape, Shape::HalfSpace { .. }));
+            assert!(matches!(obstacle.parts()[0].shape, Shape::HalfSpace { .. }));
             assert!(obstacle.interior_point(&along, 1.0).is_none());
             continue;
         };

@@ -1,0 +1,90 @@
+//! A part: one convex piece of an obstacle.
+
+use std::sync::Arc;
+
+use crate::math::Vector;
+use crate::shape::core::Core;
+use crate::shape::projection::Projection;
+use crate::shape::{Geometry, In, Pose, Query, Shape};
+
+/// A convex piece of an obstacle, in the obstacle's frame. Copies share what was
+/// prepared for queries.
+#[derive(Debug, Clone)]
+pub struct Part<const D: usize> {
+    /// The shape, in its own frame.
+    pub shape: Shape<D>,
+    /// Where it is in the obstacle's frame; absent where the frames are the same.
+    pub pose: Option<Pose<D>>,
+    query: Arc<dyn Query<D>>,
+    core: Core<D>,
+}
+
+impl<const D: usize> Part<D>
+where
+    In<D>: Geometry<D>,
+{
+    /// A part; `None` where no solid can be made of the shape: a convex hull must be
+    /// about a thousandth as thick as it is wide.
+    pub fn new(shape: Shape<D>, pose: Option<Pose<D>>) -> Option<Self> {
+        let query = <In<D> as Geometry<D>>::query(&shape)?;
+        let core = Core::new(&shape, query.as_ref())?;
+        Some(Self {
+            shape,
+            pose,
+            query: query.into(),
+            core,
+        })
+    }
+}
+
+impl<const D: usize> Part<D> {
+    /// Projects a point of the obstacle's frame.
+    pub(super) fn project(&self, point: &Vector<D>) -> Projection<D> {
+        let query = self.query.as_ref();
+        match &self.pose {
+            None => self.core.project(point, query),
+            Some(pose) => self
+                .core
+                .project(&pose.point_to_local(point), query)
+                .to_world(pose),
+        }
+    }
+
+    /// Whether the segment between two points of the obstacle's frame meets the part.
+    pub(super) fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool {
+        match &self.pose {
+            None => self.query.meets(from, to),
+            Some(pose) => {
+                let (from, to) = (pose.point_to_local(from), pose.point_to_local(to));
+                self.query.meets(&from, &to)
+            }
+        }
+    }
+
+    /// The pose in the world, of a part of an obstacle that stands at `pose`.
+    pub fn world_pose(&self, pose: &Pose<D>) -> Pose<D> {
+        match &self.pose {
+            None => pose.clone(),
+            Some(inner) => pose.then(inner),
+        }
+    }
+
+    /// Lowest and highest corner of the bounding box, of a part of an obstacle that
+    /// stands at `pose`.
+    pub(super) fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>) {
+        self.query.bounds(&self.world_pose(pose))
+    }
+
+    /// The centroid, in the obstacle's frame; `None` for what has none inside it:
+    /// half-spaces and thin parts.
+    pub(super) fn center(&self) -> Option<Vector<D>> {
+        if !self.shape.is_bounded() || self.shape.is_thin() {
+            return None;
+        }
+        let center = self.query.centroid();
+        Some(match &self.pose {
+            None => center,
+            Some(pose) => pose.point_to_world(&center),
+        })
+    }
+}
