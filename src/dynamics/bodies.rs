@@ -20,7 +20,9 @@
 
 use thiserror::Error;
 
-use crate::dynamics::{Drive, Engine, Physics, Snapshot, Touch, Touched};
+use crate::dynamics::actuator::Actuators;
+use crate::dynamics::attitude::Attitudes;
+use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched};
 use crate::law::{Flock, State};
 use crate::math::{Vector, axis, direction};
 use crate::shape::{In, Obstacle};
@@ -65,7 +67,9 @@ pub struct Bodies<const D: usize> {
     physics: Box<dyn Physics<D>>,
     groups: Vec<usize>,
     masses: Vec<f64>,
-    force_limits: Vec<f64>,
+    actuators: Actuators,
+    /// How the bodies stand; nothing where all are balls.
+    attitudes: Option<Attitudes<D>>,
     gravity: Vector<D>,
     step_size: f64,
     substeps: f64,
@@ -75,7 +79,7 @@ pub struct Bodies<const D: usize> {
     positions: Vec<Vector<D>>,
     /// Velocities at the time of the positions: those that laws and observers see.
     velocities: Vec<Vector<D>>,
-    /// Where the velocities point, or last pointed.
+    /// Where the bodies head: balls where their velocities point, or last pointed.
     headings: Vec<Vector<D>>,
     /// The obstacles where they are now, and where they will be at the end of the step.
     obstacles: Vec<Obstacle<D>>,
@@ -84,11 +88,11 @@ pub struct Bodies<const D: usize> {
     /// What the laws ask for now, and what they asked for a step ago.
     wanted: Vec<Vector<D>>,
     wanted_before: Vec<Vector<D>>,
-    /// What was applied: accelerations, and the forces that cause them.
-    applied: Vec<Vector<D>>,
+    /// What the actuators exert, what is applied in all, and the accelerations it causes.
+    pushes: Vec<Vector<D>>,
     forces: Vec<Vector<D>>,
+    applied: Vec<Vector<D>>,
     touches: Vec<Touch<D>>,
-    force_cuts: u64,
 }
 
 impl<const D: usize> Bodies<D> {
@@ -103,7 +107,8 @@ impl<const D: usize> Bodies<D> {
             physics: <In<D> as Engine<D>>::physics(world),
             groups: agents.group.clone(),
             masses: agents.mass.clone(),
-            force_limits: agents.force_limit.clone(),
+            actuators: Actuators::new(agents, world.spec.time.step),
+            attitudes: Attitudes::new(world),
             gravity: world.gravity,
             step_size: world.spec.time.step,
             substeps: world.spec.physics.solver_iterations as f64,
@@ -116,16 +121,16 @@ impl<const D: usize> Bodies<D> {
             engine_velocities: agents.velocities.clone(),
             wanted: zeros.clone(),
             wanted_before: zeros.clone(),
-            applied: zeros.clone(),
-            forces: zeros,
+            pushes: zeros.clone(),
+            forces: zeros.clone(),
+            applied: zeros,
             touches: Vec::new(),
-            force_cuts: 0,
         };
         bodies.turn();
-        // Set the engine's velocities back by half a substep.
+        // Set the engine's velocities back by half a substep. The first step is taken with the
+        // forces decided here.
         bodies.ask(flock);
         bodies.decide()?;
-        bodies.force_cuts = 0;
         for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
             *velocity -= applied * (0.5 * bodies.step_size / bodies.substeps);
         }
@@ -135,16 +140,29 @@ impl<const D: usize> Bodies<D> {
 
     /// Takes one step. One that fails leaves the state before it.
     pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
-        self.ask(flock);
-        self.decide()?;
+        if self.step > 0 {
+            self.ask(flock);
+            self.decide()?;
+        }
+        let lag = 0.5 * self.step_size / self.substeps;
+        let steering = match &mut self.attitudes {
+            None => &[][..],
+            Some(attitudes) => {
+                // Where nothing is touched these are the velocities at the end of the step.
+                for (i, next) in self.next.1.iter_mut().enumerate() {
+                    *next = self.engine_velocities[i] + self.applied[i] * (self.step_size + lag);
+                }
+                attitudes.steer(&self.velocities, &self.next.1)
+            }
+        };
         self.physics.step(Drive {
             forces: &self.forces,
+            steering,
             obstacles: &self.obstacles,
         });
         self.find_touches();
         let (positions, velocities) = &mut self.next;
         self.physics.read(positions, &mut self.engine_velocities);
-        let lag = 0.5 * self.step_size / self.substeps;
         for (i, velocity) in velocities.iter_mut().enumerate() {
             *velocity = self.engine_velocities[i] + self.applied[i] * lag;
         }
@@ -155,6 +173,9 @@ impl<const D: usize> Bodies<D> {
             }
         }
         self.check_next()?;
+        if let Some(attitudes) = &mut self.attitudes {
+            attitudes.read(&*self.physics);
+        }
         std::mem::swap(&mut self.positions, &mut self.next.0);
         std::mem::swap(&mut self.velocities, &mut self.next.1);
         std::mem::swap(&mut self.wanted, &mut self.wanted_before);
@@ -171,6 +192,8 @@ impl<const D: usize> Bodies<D> {
             positions: &self.positions,
             velocities: &self.velocities,
             headings: &self.headings,
+            rotations: self.attitudes.as_ref().map(|they| &they.rotations[..]),
+            spins: self.attitudes.as_ref().map(|they| &they.spins[..]),
             obstacles: &self.obstacles,
         }
     }
@@ -196,9 +219,15 @@ impl<const D: usize> Bodies<D> {
         touches
     }
 
-    /// Agent-steps in which the actuator limit cut the force.
-    pub fn force_cuts(&self) -> u64 {
-        self.force_cuts
+    /// How often the actuators' limits cut the laws' forces.
+    pub fn cuts(&self) -> Cuts {
+        self.actuators.cuts()
+    }
+
+    /// The force that the laws exerted on each agent in the last step, after all cuts; at
+    /// the start that of the step to come.
+    pub fn pushes(&self) -> &[Vector<D>] {
+        &self.pushes
     }
 
     fn time(&self) -> f64 {
@@ -217,13 +246,16 @@ impl<const D: usize> Bodies<D> {
         }
     }
 
-    /// Turns the headings along the velocities; a body at rest keeps its heading.
+    /// Turns the headings: of balls along the velocities, where at rest as they were.
     fn turn(&mut self) {
         for (heading, velocity) in self.headings.iter_mut().zip(&self.velocities) {
             let along = direction(velocity);
             if along.norm_squared() > 0.0 {
                 *heading = along;
             }
+        }
+        if let Some(attitudes) = &self.attitudes {
+            attitudes.headings(&mut self.headings);
         }
     }
 
@@ -239,15 +271,18 @@ impl<const D: usize> Bodies<D> {
     /// Turns what the laws ask for into forces within the actuators' limits.
     fn decide(&mut self) -> Result<(), Failure> {
         let lead = (self.substeps - 1.0) / (2.0 * self.substeps);
+        // From the engine's velocity to that read at the end of the step.
+        let span = self.step_size * (1.0 + 0.5 / self.substeps);
         for i in 0..self.wanted.len() {
             let wanted = self.wanted[i] + (self.wanted[i] - self.wanted_before[i]) * lead;
-            let mut push = wanted * self.masses[i];
-            let size = push.norm();
-            if size > self.force_limits[i] {
-                push *= self.force_limits[i] / size;
-                self.force_cuts += 1;
-            }
-            self.forces[i] = push + self.gravity * self.masses[i];
+            let mass = self.masses[i];
+            let coasting = self.engine_velocities[i] + self.gravity * span;
+            let before = (self.step > 0).then_some(self.pushes[i]);
+            let gain = span / mass;
+            self.pushes[i] = self
+                .actuators
+                .act(i, wanted * mass, before, &coasting, gain);
+            self.forces[i] = self.pushes[i] + self.gravity * mass;
             self.applied[i] = self.forces[i] / self.masses[i];
             // Squared speeds must stay finite as well, or the engine stops the body.
             let speed_gained = self.applied[i] * self.step_size;

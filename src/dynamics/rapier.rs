@@ -2,15 +2,16 @@
 //! `dynamics::space`, which say what `rapier`, `geometry` and `D` are).
 
 use super::rapier::geometry::ContactPair;
-use super::rapier::math::Vector as RapierVector;
+use super::rapier::math::{Pose, Vector as RapierVector};
 use super::rapier::prelude::{
     ColliderBuilder, ColliderHandle, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
-use super::{D, geometry};
-use crate::dynamics::{Drive, Engine, Physics, Touch, Touched};
-use crate::math::Vector;
+use super::{D, angular, geometry, matrix, rotation, spin};
+use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched};
+use crate::math::{Matrix, Vector};
 use crate::shape::In;
 use crate::world::World;
+use crate::world::spec::HeadingSpec;
 
 /// Highest speed the engine lets a body have, so high that it never shows.
 const NO_SPEED_CAP: f64 = 1e150;
@@ -19,6 +20,44 @@ impl Engine<D> for In<D> {
     fn physics(world: &World<D>) -> Box<dyn Physics<D>> {
         Box::new(Rapier::new(world))
     }
+}
+
+/// The body of an agent and its collider.
+fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
+    let (agents, physics) = (&world.agents, &world.spec.physics);
+    let group = &world.spec.agents[agents.group[i]];
+    let solid = &world.solids[agents.group[i]];
+    let pose = Pose::from_parts(vector(&agents.positions[i]), rotation(&agents.rotations[i]));
+    let mut body = RigidBodyBuilder::dynamic()
+        .pose(pose)
+        .linvel(vector(&agents.velocities[i]))
+        .can_sleep(false)
+        .user_data(i as u128)
+        // Contacts are foreseen along a whole step's travel: of agents
+        // with each other, which the engine's sweeps leave out, and with walls.
+        .soft_ccd_prediction(f64::MAX);
+    let turns = match solid.is_ball() {
+        // Nothing can turn a ball without friction.
+        true => has_friction(world),
+        false => group.heading != Some(HeadingSpec::Fixed),
+    };
+    if !turns {
+        body = body.lock_rotations();
+    }
+    // The solid was built once already when the world was made.
+    let form = geometry::solid(solid.shape()).expect("made before");
+    let collider = ColliderBuilder::new(form)
+        .mass(agents.mass[i])
+        .user_data(i as u128)
+        .restitution(group.restitution.unwrap_or(physics.restitution))
+        .friction(group.friction.unwrap_or(physics.friction));
+    (body, collider)
+}
+
+/// Whether any surface of a world has friction.
+fn has_friction(world: &World<D>) -> bool {
+    let groups = world.spec.agents.iter();
+    world.spec.physics.friction > 0.0 || groups.filter_map(|it| it.friction).any(|it| it > 0.0)
 }
 
 /// The agents and obstacles of a world in rapier.
@@ -48,23 +87,7 @@ impl Rapier {
         let agents = &world.agents;
         let bodies: Vec<_> = (0..agents.len())
             .map(|i| {
-                let mut body = RigidBodyBuilder::dynamic()
-                    .translation(vector(&agents.positions[i]))
-                    .linvel(vector(&agents.velocities[i]))
-                    .can_sleep(false)
-                    .user_data(i as u128)
-                    // Contacts are foreseen along a whole step's travel: of agents
-                    // with each other, which the engine's sweeps leave out, and with walls.
-                    .soft_ccd_prediction(f64::MAX);
-                if physics.friction == 0.0 {
-                    // Nothing can turn a ball without friction.
-                    body = body.lock_rotations();
-                }
-                let collider = ColliderBuilder::ball(agents.radius[i])
-                    .mass(agents.mass[i])
-                    .user_data(i as u128)
-                    .restitution(physics.restitution)
-                    .friction(physics.friction);
+                let (body, collider) = agent(world, i);
                 engine.insert(body, collider).0
             })
             .collect();
@@ -142,6 +165,15 @@ impl Physics<D> for Rapier {
         }
     }
 
+    fn read_attitudes(&self, rotations: &mut [Matrix<D>], spins: &mut [Vector<3>]) {
+        let out = rotations.iter_mut().zip(spins);
+        for ((rotation, angular), handle) in out.zip(&self.bodies) {
+            let body = &self.world.bodies[*handle];
+            *rotation = matrix(body.rotation());
+            *angular = spin(body.angvel());
+        }
+    }
+
     fn set_velocities(&mut self, velocities: &[Vector<D>]) {
         for (velocity, handle) in velocities.iter().zip(&self.bodies) {
             self.world.bodies[*handle].set_linvel(vector(velocity), false);
@@ -153,6 +185,16 @@ impl Physics<D> for Rapier {
             let body = &mut self.world.bodies[*handle];
             body.reset_forces(false);
             body.add_force(vector(force), false);
+        }
+        for (steering, handle) in drive.steering.iter().zip(&self.bodies) {
+            let body = &mut self.world.bodies[*handle];
+            // A torque lasts until it is taken back, as forces do.
+            body.reset_torques(false);
+            match steering {
+                Steering::Free => {}
+                Steering::Torque(torque) => body.add_torque(angular(torque), false),
+                Steering::Spin(spin) => body.set_angvel(angular(spin), false),
+            }
         }
         self.world.step();
     }

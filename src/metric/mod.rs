@@ -24,7 +24,6 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
     let target = world
         .navigation_velocity()
         .unwrap_or_else(|| mean(snapshot.velocities));
-    let radii = &world.agents.radius;
     Metrics {
         components: net.as_ref().map(|net| net.components().len()),
         density: net.as_ref().map(Net::density),
@@ -34,8 +33,8 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         }),
         polarization: polarization(snapshot.velocities),
         velocity_mismatch: velocity_mismatch(snapshot.velocities, &target),
-        agent_gap: agent_gap(snapshot.positions, radii),
-        obstacle_gap: obstacle_gap(snapshot.positions, radii, snapshot.obstacles),
+        agent_gap: agent_gap(world, snapshot),
+        obstacle_gap: obstacle_gap(world, snapshot),
         position_diameter: diameter(snapshot.positions),
         velocity_diameter: diameter(snapshot.velocities),
     }

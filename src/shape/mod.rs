@@ -1,4 +1,4 @@
-//! Obstacle shapes: closest points, their exact derivatives, and bounds.
+//! Shapes of obstacles and bodies: closest points, their exact derivatives, bounds and gaps.
 //!
 //! A shape is a core (a point, a segment, a convex polytope or a half-space)
 //! rounded by a radius. The closest point comes from a parry query on the core;
@@ -7,13 +7,16 @@
 
 mod obstacle;
 mod pose;
+mod solid;
 
 pub use obstacle::{Obstacle, Projection};
 pub use pose::Pose;
+pub use solid::Solid;
 
+use std::any::Any;
 use std::fmt::Debug;
 
-use crate::math::Vector;
+use crate::math::{Matrix, Vector};
 
 /// A convex solid of `D` dimensions, in its own frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +62,7 @@ pub struct Face<const D: usize> {
 }
 
 /// What the shape code asks of parry, in the shape's own frame.
-pub trait Query<const D: usize>: Debug + Send + Sync {
+pub trait Query<const D: usize>: Any + Debug + Send + Sync {
     /// The point of the solid core nearest to `point`; `point` itself inside.
     fn closest(&self, point: &Vector<D>) -> Vector<D>;
     /// The flat faces of the core; none for a point or a segment.
@@ -68,6 +71,12 @@ pub trait Query<const D: usize>: Debug + Send + Sync {
     fn centroid(&self) -> Vector<D>;
     /// Lowest and highest corner of the bounding box of the posed shape.
     fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>);
+    /// The gap between the solid at `pose` and another, made for the same dimension, at
+    /// `other_pose`; negative by the depth of penetration where they overlap.
+    fn gap(&self, pose: &Pose<D>, other: &dyn Query<D>, other_pose: &Pose<D>) -> f64;
+    /// Volume (area), and the inertia tensor about the centroid at density 1; in the plane
+    /// only the tensor's last entry counts. Both 0 for a half-space.
+    fn volume_and_inertia(&self) -> (f64, Matrix<3>);
 }
 
 /// Access to parry's types of one dimension; implemented by [`In<2>`] and [`In<3>`].
@@ -92,6 +101,11 @@ pub(crate) mod plane {
 
     fn turn(turn: [f64; 3]) -> f64 {
         turn[2]
+    }
+
+    /// The moment of inertia, as the tensor's entry about the third axis.
+    fn inertia(properties: &parry::mass_properties::MassProperties) -> super::Matrix<3> {
+        super::Matrix::<3>::from_diagonal(&[0.0, 0.0, properties.principal_inertia()].into())
     }
 
     /// The edges of a polygon.
@@ -123,6 +137,13 @@ pub(crate) mod space {
 
     fn turn(turn: [f64; 3]) -> parry::math::Vector {
         turn.into()
+    }
+
+    /// The inertia tensor.
+    fn inertia(properties: &parry::mass_properties::MassProperties) -> super::Matrix<3> {
+        super::Matrix::<3>::from_column_slice(
+            &properties.reconstruct_inertia_matrix().to_cols_array(),
+        )
     }
 
     /// The faces of a polyhedron.

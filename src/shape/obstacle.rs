@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::math::{Matrix, Vector, axis, direction};
-use crate::shape::{Face, Geometry, In, Pose, Query, Shape};
+use crate::shape::{Face, Geometry, In, Pose, Query, Shape, Solid};
 
 /// A fixed convex solid. Copies share what was prepared for queries.
 #[derive(Debug, Clone)]
@@ -160,6 +160,12 @@ impl<const D: usize> Obstacle<D> {
         onto(q, &touched, nearest.normal)
     }
 
+    /// The gap between its surface and that of a solid at `pose`; negative by the depth of
+    /// penetration where they overlap.
+    pub fn gap(&self, solid: &Solid<D>, pose: &Pose<D>) -> f64 {
+        self.query.gap(&self.pose, solid.query(), pose)
+    }
+
     /// The centre b_k: the centroid; `None` for a half-space, which has none.
     pub fn center(&self) -> Option<Vector<D>> {
         match self.shape {
@@ -188,6 +194,11 @@ impl<const D: usize> Obstacle<D> {
         }
         Some(center + along * (offset * 0.5 * (inside + outside)))
     }
+}
+
+/// Whether a hull with these faces, made of these points, is a solid.
+pub(super) fn is_solid<const D: usize>(points: &[Vector<D>], faces: Vec<Face<D>>) -> bool {
+    hull(points, faces).is_some()
 }
 
 /// The core of a hull; `None` where the query made something flat of it, which it does with

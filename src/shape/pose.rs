@@ -26,6 +26,20 @@ impl<const D: usize> Pose<D> {
         }
     }
 
+    /// From the origin's place and a rotation matrix.
+    pub fn from_matrix(translation: Vector<D>, rotation: Matrix<D>) -> Self {
+        Self {
+            translation,
+            turn: turn(&rotation),
+            rotation,
+        }
+    }
+
+    /// The rotation, from the frame to the world.
+    pub fn rotation(&self) -> &Matrix<D> {
+        &self.rotation
+    }
+
     /// A point of the frame, in the world.
     pub fn point_to_world(&self, point: &Vector<D>) -> Vector<D> {
         self.rotation * point + self.translation
@@ -50,4 +64,18 @@ impl<const D: usize> Pose<D> {
     pub fn map_to_world(&self, map: &Matrix<D>) -> Matrix<D> {
         self.rotation * map * self.rotation.transpose()
     }
+}
+
+/// The rotation vector of a rotation matrix, its angle at most half a turn.
+fn turn<const D: usize>(rotation: &Matrix<D>) -> [f64; 3] {
+    if D == 2 {
+        return [0.0, 0.0, rotation[(1, 0)].atan2(rotation[(0, 0)])];
+    }
+    let full = nalgebra::Rotation3::from_matrix_unchecked(nalgebra::Matrix3::from_fn(|i, j| {
+        rotation[(i, j)]
+    }));
+    // By the quaternion, for the trace tells small angles only to half the digits.
+    nalgebra::UnitQuaternion::from_rotation_matrix(&full)
+        .scaled_axis()
+        .into()
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::math::Vector;
-use crate::shape::Obstacle;
+use crate::shape::{Obstacle, Solid};
 use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
 use crate::world::spec::{GroupSpec, PlacementSpec};
@@ -16,11 +16,12 @@ const DRAWS: usize = 20_000;
 
 /// Bodies that touch exactly may seem to overlap by rounding; this share of the distance
 /// at which they touch is forgiven.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// The agents placed so far, in cells of a fixed size. Only bodies in nobody's way are
 /// there, so that cells stay sparse even where a file lists all agents at one place.
 pub(super) struct Placement<'a, const D: usize> {
+    solids: &'a [Solid<D>],
     obstacles: &'a [Obstacle<D>],
     side: f64,
     cells: HashMap<[i64; D], Vec<Placed<D>>>,
@@ -44,13 +45,18 @@ enum Conflict<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Placement<'a, D> {
-    /// An empty placement for these groups among these obstacles.
-    pub(super) fn new(groups: &[GroupSpec], obstacles: &'a [Obstacle<D>]) -> Self {
-        let widest = groups.iter().map(|group| 2.0 * group.radius);
+    /// An empty placement for these groups, with a solid each, among these obstacles.
+    pub(super) fn new(
+        groups: &[GroupSpec],
+        solids: &'a [Solid<D>],
+        obstacles: &'a [Obstacle<D>],
+    ) -> Self {
+        let widest = solids.iter().map(|solid| 2.0 * solid.radius());
         let separations = groups
             .iter()
             .filter_map(|group| separation(&group.positions));
         Self {
+            solids,
             obstacles,
             side: widest.chain(separations).fold(f64::MIN_POSITIVE, f64::max),
             cells: HashMap::new(),
@@ -68,7 +74,7 @@ impl<'a, const D: usize> Placement<'a, D> {
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         let mut random = Random::new(seed, Purpose::Positions(index));
         match &group.positions {
-            PlacementSpec::Explicit(positions) => self.list(index, group, positions),
+            PlacementSpec::Explicit(positions) => self.list(index, positions),
             PlacementSpec::Box(region) => {
                 let (min, max) = (vector(&region.min), vector(&region.max));
                 self.draw(index, group, count, "box", || random.in_box(&min, &max))
@@ -84,7 +90,6 @@ impl<'a, const D: usize> Placement<'a, D> {
     fn list(
         &mut self,
         group_index: usize,
-        group: &GroupSpec,
         positions: &[Vec<f64>],
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         let mut problems = Vec::new();
@@ -94,7 +99,7 @@ impl<'a, const D: usize> Placement<'a, D> {
                 group: group_index,
                 index,
                 listed: true,
-                radius: group.radius,
+                radius: self.solids[group_index].radius(),
                 position: vector(position),
             };
             match self.conflict(&body, 0.0) {
@@ -125,12 +130,12 @@ impl<'a, const D: usize> Placement<'a, D> {
                 group: group_index,
                 index,
                 listed: false,
-                radius: group.radius,
+                radius: self.solids[group_index].radius(),
                 position,
             };
             let mut draws = (0..DRAWS).map(|_| body(candidate()));
             let Some(body) = draws.find(|body| self.conflict(body, apart).is_none()) else {
-                let distance = number(apart.max(2.0 * group.radius));
+                let distance = number(apart.max(2.0 * self.solids[group_index].radius()));
                 let problem = Problem::new(
                     format!("agents[{group_index}].positions.{kind}"),
                     format!(
@@ -157,7 +162,7 @@ impl<'a, const D: usize> Placement<'a, D> {
                 cell[axis].saturating_add(step)
             });
             for other in self.cells.get(&near).into_iter().flatten() {
-                let touching = (body.radius + other.radius) * (1.0 - ROUNDING);
+                let touching = self.touching(body, other);
                 let least = if other.group == body.group {
                     touching.max(apart)
                 } else {
@@ -169,12 +174,26 @@ impl<'a, const D: usize> Placement<'a, D> {
             }
         }
         let touching = body.radius * (1.0 - ROUNDING);
+        if body.listed && !self.solids[body.group].is_ball() {
+            return None;
+        }
         let blocks = |obstacle: &Obstacle<D>| {
             obstacle.may_reach(&body.position, body.radius)
                 && obstacle.project(&body.position).distance < touching
         };
         let index = self.obstacles.iter().position(blocks)?;
         Some(Conflict::Obstacle(index, &self.obstacles[index]))
+    }
+
+    /// The distance below which two bodies overlap, judged by the balls that hold them. None
+    /// for those that a list puts near a body that is not round: they are looked at when all
+    /// stand and it is known how they are turned.
+    fn touching(&self, body: &Placed<D>, other: &Placed<D>) -> f64 {
+        let balls = [body, other].map(|one| self.solids[one.group].is_ball());
+        if body.listed && balls != [true, true] {
+            return 0.0;
+        }
+        (body.radius + other.radius) * (1.0 - ROUNDING)
     }
 
     fn insert(&mut self, body: Placed<D>) {
@@ -216,10 +235,13 @@ impl<const D: usize> Conflict<'_, D> {
     }
 }
 
-/// What messages call an agent: its place in the file, where it has one.
 fn name<const D: usize>(body: &Placed<D>) -> String {
-    let (group, index) = (body.group, body.index);
-    match body.listed {
+    agent_name(body.group, body.index, body.listed)
+}
+
+/// What messages call an agent: its place in the file, where it has one.
+pub(super) fn agent_name(group: usize, index: usize, listed: bool) -> String {
+    match listed {
         true => format!("agents[{group}].positions.explicit[{index}]"),
         false => format!("agent {index} of agents[{group}]"),
     }
@@ -239,11 +261,15 @@ mod tests {
 
     use super::*;
 
-    fn problems<const D: usize>(radius: f64, positions: &[Vec<f64>]) -> Vec<Problem> {
+    fn problems<const D: usize>(radius: f64, positions: &[Vec<f64>]) -> Vec<Problem>
+    where
+        crate::shape::In<D>: crate::shape::Geometry<D>,
+    {
         let group = json!({ "radius": radius, "positions": { "explicit": positions } });
         let group: GroupSpec = serde_json::from_value(group).unwrap();
         let groups = std::slice::from_ref(&group);
-        let placed = Placement::<D>::new(groups, &[]).place(0, &group, positions.len(), 1);
+        let solids = crate::world::agents::solids(groups).unwrap();
+        let placed = Placement::<D>::new(groups, &solids, &[]).place(0, &group, positions.len(), 1);
         placed.err().unwrap_or_default()
     }
 
@@ -254,7 +280,10 @@ mod tests {
         assert_eq!(problems::<2>(0.0501, &row).len(), 25);
     }
 
-    fn agrees_with_brute_force<const D: usize>() {
+    fn agrees_with_brute_force<const D: usize>()
+    where
+        crate::shape::In<D>: crate::shape::Geometry<D>,
+    {
         // Points of a low-discrepancy sequence, dense enough for some overlaps.
         let share = |i: usize, axis: usize| (i as f64 * [0.7549, 0.5698, 0.3319][axis]).fract();
         let point = |i| (0..D).map(|axis| 4.0 * share(i, axis) - 2.0).collect();

@@ -2,6 +2,7 @@
 //! lists, order of limits, contradictions. What one field alone can tell, the
 //! schema checks.
 
+mod agents;
 mod law;
 mod obstacle;
 
@@ -170,72 +171,6 @@ impl Check {
     fn finite(&mut self, path: &str, x: Option<f64>) {
         if x.is_some_and(|x| !x.is_finite()) {
             self.add(path, "must be finite");
-        }
-    }
-
-    fn group(&mut self, path: &str, group: &GroupSpec) {
-        self.finite(&format!("{path}.force_limit"), group.force_limit);
-        let positions = format!("{path}.positions");
-        match &group.positions {
-            PlacementSpec::Explicit(listed) => self.listed(path, listed, group.count),
-            PlacementSpec::Box(place) => {
-                self.finite(&format!("{positions}.box.separation"), place.separation);
-                self.corners(&format!("{positions}.box"), &place.min, &place.max, false);
-            }
-            PlacementSpec::Ball(place) => {
-                self.finite(&format!("{positions}.ball.separation"), place.separation);
-                self.vector(&format!("{positions}.ball.center"), &place.center);
-            }
-        }
-        let Some(count) = size(group) else {
-            self.add(path, "missing field `count`, which random positions need");
-            return;
-        };
-        if let PerAgent::Each(masses) = &group.mass
-            && masses.len() != count
-        {
-            let what = format!(
-                "must list {count} masses, one for each agent, not {}",
-                masses.len()
-            );
-            self.add(format!("{path}.mass"), what);
-        }
-        let path = format!("{path}.velocities");
-        match &group.velocities {
-            VelocitySpec::Rest => {}
-            VelocitySpec::Common(velocity) => {
-                self.vector(&format!("{path}.common"), velocity);
-            }
-            VelocitySpec::Uniform(place) => {
-                self.corners(&format!("{path}.uniform"), &place.min, &place.max, true);
-            }
-            VelocitySpec::Explicit(listed) => {
-                let path = format!("{path}.explicit");
-                self.vectors(&path, listed);
-                if listed.len() != count {
-                    let found = listed.len();
-                    let what =
-                        format!("must list {count} velocities, one for each agent, not {found}");
-                    self.add(path, what);
-                }
-            }
-        }
-    }
-
-    fn listed(&mut self, group: &str, positions: &[Vec<f64>], count: Option<usize>) {
-        let path = format!("{group}.positions.explicit");
-        if positions.is_empty() {
-            self.add(path, "must list at least one position");
-            return;
-        }
-        self.vectors(&path, positions);
-        if count.is_some_and(|count| count != positions.len()) {
-            let what = format!(
-                "must be {}, the number of positions listed",
-                positions.len()
-            );
-            let problem = Problem::new(format!("{group}.count"), what);
-            self.problems.push(problem.hint("it may be left out"));
         }
     }
 

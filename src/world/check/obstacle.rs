@@ -10,23 +10,29 @@ impl Check {
         if let Some(position) = &obstacle.position {
             self.vector(&format!("{path}.position"), position);
         }
-        let rotation = format!("{path}.rotation");
-        match &obstacle.rotation {
-            Some(Rotation::Vector(vector)) if self.dimension == 3 => {
-                self.vector(&rotation, vector);
+        if let Some(rotation) = &obstacle.rotation {
+            self.rotation(&format!("{path}.rotation"), rotation);
+        }
+        self.shape(&format!("{path}.shape"), &obstacle.shape);
+    }
+
+    /// A rotation must be of the world's dimension.
+    pub(super) fn rotation(&mut self, path: &str, rotation: &Rotation) {
+        match rotation {
+            Rotation::Vector(vector) if self.dimension == 3 => {
+                self.vector(path, vector);
             }
-            Some(Rotation::Vector(_)) => {
-                self.add(rotation, "must be one number in 2-D, the angle in radians");
+            Rotation::Vector(_) => {
+                self.add(path, "must be one number in 2-D, the angle in radians");
             }
-            Some(Rotation::Angle(_)) if self.dimension == 3 => {
+            Rotation::Angle(_) if self.dimension == 3 => {
                 self.add(
-                    rotation,
+                    path,
                     "must be 3 numbers in 3-D, the axis times the angle in radians",
                 );
             }
-            Some(Rotation::Angle(_)) | None => {}
+            Rotation::Angle(_) => {}
         }
-        self.shape(&format!("{path}.shape"), &obstacle.shape);
     }
 
     fn shape(&mut self, path: &str, shape: &ShapeSpec) {
@@ -51,7 +57,8 @@ impl Check {
         }
     }
 
-    fn hull(&mut self, path: &str, points: &[Vec<f64>]) {
+    /// Points must span the space.
+    pub(super) fn hull(&mut self, path: &str, points: &[Vec<f64>]) {
         self.vectors(path, points);
         if points.iter().any(|point| point.len() != self.dimension) {
             return;

@@ -15,7 +15,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use agents::{
-    BallSpec, BoxSpec, GroupSpec, PerAgent, PlacementSpec, VelocityBoxSpec, VelocitySpec,
+    BallSpec, BodyShapeSpec, BoxSpec, GroupSpec, HeadingSpec, PerAgent, PlacementSpec, TorqueSpec,
+    TurnSpec, VelocityBoxSpec, VelocitySpec,
 };
 pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, LawSpec, NavigationSpec,
@@ -85,10 +86,12 @@ pub struct PhysicsSpec {
     /// Solver substeps in each step, 1 to 64. One is enough but for dense piles.
     #[schemars(range(min = 1, max = 64))]
     pub solver_iterations: usize,
-    /// Restitution of every contact: 0 keeps no normal speed, 1 keeps all of it.
+    /// Restitution of every surface: 0 keeps no normal speed, 1 keeps all of it. A contact's
+    /// is the mean of its two surfaces'; groups may have their own.
     #[schemars(range(min = 0, max = 1))]
     pub restitution: f64,
-    /// Coulomb friction coefficient of every contact.
+    /// Coulomb friction coefficient of every surface. A contact's is the mean of its two
+    /// surfaces'; groups may have their own.
     #[schemars(range(min = 0))]
     pub friction: f64,
     /// Acceleration of gravity, one number per dimension; absent means none.

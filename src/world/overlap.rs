@@ -1,0 +1,96 @@
+//! Overlaps of bodies that lists put next to each other, by their exact shapes.
+//!
+//! Placement knows bodies by the balls that hold them, which is enough for those that it
+//! draws places for and all there is to know of balls. Bodies of other shapes may stand closer
+//! than that; this looks at them once all stand.
+
+use std::collections::BTreeMap;
+
+use crate::shape::{Obstacle, Solid};
+use crate::world::agents::Agents;
+use crate::world::placement::{ROUNDING, agent_name};
+use crate::world::problem::Problem;
+use crate::world::spec::{GroupSpec, PlacementSpec};
+use crate::world::words::number;
+
+/// What is in the way of every listed body that, or whose neighbour, is not round.
+pub(super) fn overlaps<const D: usize>(
+    groups: &[GroupSpec],
+    solids: &[Solid<D>],
+    agents: &Agents<D>,
+    obstacles: &[Obstacle<D>],
+) -> Vec<Problem> {
+    let listed = |i: usize| {
+        let positions = &groups[agents.group[i]].positions;
+        matches!(positions, PlacementSpec::Explicit(_))
+    };
+    let ball = |i: usize| solids[agents.group[i]].is_ball();
+    if !(0..agents.len()).any(|i| listed(i)) || solids.iter().all(Solid::is_ball) {
+        return Vec::new();
+    }
+    let solid = |i: usize| &solids[agents.group[i]];
+    // The index of the first agent of each group.
+    let mut first = vec![0; groups.len()];
+    for (i, group) in agents.group.iter().enumerate().rev() {
+        first[*group] = i;
+    }
+    let name = |i: usize| {
+        let group = agents.group[i];
+        agent_name(group, i - first[group], listed(i))
+    };
+    // Each listed body, with the first other in its way.
+    let mut found: BTreeMap<usize, String> = BTreeMap::new();
+    for (a, b) in near_pairs(agents) {
+        let (one, other) = (a.max(b), a.min(b));
+        if !listed(one) || (ball(a) && ball(b)) {
+            continue;
+        }
+        let touching = -ROUNDING * (agents.radius[a] + agents.radius[b]);
+        let gap = solid(a).gap(&agents.pose(a), solid(b), &agents.pose(b));
+        if gap < touching {
+            let depth = number(-gap);
+            let what = format!("overlaps {}, by {depth}", name(other));
+            found.entry(one).or_insert(what);
+        }
+    }
+    for i in (0..agents.len()).filter(|i| listed(*i) && !ball(*i)) {
+        let reach = agents.radius[i];
+        for (index, obstacle) in obstacles.iter().enumerate() {
+            if !obstacle.may_reach(&agents.positions[i], reach) {
+                continue;
+            }
+            let gap = obstacle.gap(solid(i), &agents.pose(i));
+            if gap < -ROUNDING * reach {
+                let what = format!(
+                    "overlaps obstacles[{index}], {}, by {}",
+                    obstacle.name,
+                    number(-gap)
+                );
+                found.entry(i).or_insert(what);
+            }
+        }
+    }
+    let problem = |(i, what)| Problem::new(name(i), what);
+    found.into_iter().map(problem).collect()
+}
+
+/// The pairs of agents whose balls overlap, by a sweep along the first axis; for each agent
+/// in the order of the others.
+fn near_pairs<const D: usize>(agents: &Agents<D>) -> Vec<(usize, usize)> {
+    let start = |i: &usize| agents.positions[*i][0] - agents.radius[*i];
+    let mut order: Vec<usize> = (0..agents.len()).collect();
+    order.sort_by(|a, b| start(a).total_cmp(&start(b)).then(a.cmp(b)));
+    let mut pairs = Vec::new();
+    for (rank, &a) in order.iter().enumerate() {
+        let end = agents.positions[a][0] + agents.radius[a];
+        let near = order[rank + 1..].iter().take_while(|b| start(b) <= end);
+        for &b in near {
+            let apart = (agents.positions[a] - agents.positions[b]).norm();
+            if apart < agents.radius[a] + agents.radius[b] {
+                pairs.push((a.min(b), a.max(b)));
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}
