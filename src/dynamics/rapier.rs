@@ -4,7 +4,8 @@
 use super::rapier::geometry::ContactPair;
 use super::rapier::math::{Pose, Vector as RapierVector};
 use super::rapier::prelude::{
-    ColliderBuilder, ColliderHandle, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
+    ColliderBuilder, ColliderHandle, IntegrationParameters, PhysicsWorld, RigidBodyBuilder,
+    RigidBodyHandle,
 };
 use super::{D, angular, geometry, matrix, rotation, spin};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched};
@@ -15,6 +16,9 @@ use crate::world::spec::HeadingSpec;
 
 /// Highest speed the engine lets a body have, so high that it never shows.
 const NO_SPEED_CAP: f64 = 1e150;
+
+/// The largest angle that the engine turns a body by in a step.
+const LARGEST_TURN: f64 = std::f64::consts::FRAC_PI_4;
 
 impl Engine<D> for In<D> {
     fn physics(world: &World<D>) -> Box<dyn Physics<D>> {
@@ -64,6 +68,8 @@ fn has_friction(world: &World<D>) -> bool {
 struct Rapier {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
+    /// How far the surface of each body that is not round is from its centre at most.
+    reaches: Vec<(RigidBodyHandle, f64)>,
 }
 
 impl Rapier {
@@ -103,10 +109,30 @@ impl Rapier {
                 .friction(physics.friction);
             engine.insert_collider(collider, None);
         }
+        let reaches = bodies.iter().enumerate().filter_map(|(i, body)| {
+            let solid = &world.solids[agents.group[i]];
+            (!solid.is_ball()).then(|| (*body, solid.radius()))
+        });
         Self {
             world: engine,
+            reaches: reaches.collect(),
             bodies,
         }
+    }
+
+    /// Has contacts foreseen as far as bodies that are not round can swing their ends in a
+    /// step: what the engine does by itself looks along the travel of their centres alone.
+    fn foresee_turns(&mut self) {
+        let swing = |(body, reach): &(RigidBodyHandle, f64)| {
+            let speed = spin(self.world.bodies[*body].angvel()).norm();
+            (speed * self.world.integration_parameters.dt).min(LARGEST_TURN) * reach
+        };
+        let widest = self.reaches.iter().map(swing).fold(0.0, f64::max);
+        let parameters = &mut self.world.integration_parameters;
+        let usual = IntegrationParameters::default().normalized_prediction_distance;
+        // Two may swing towards each other.
+        parameters.normalized_prediction_distance =
+            usual.max(2.0 * widest / parameters.length_unit);
     }
 
     /// What a collider belongs to, by its user data: the agents count first, then the
@@ -195,6 +221,9 @@ impl Physics<D> for Rapier {
                 Steering::Torque(torque) => body.add_torque(angular(torque), false),
                 Steering::Spin(spin) => body.set_angvel(angular(spin), false),
             }
+        }
+        if !self.reaches.is_empty() {
+            self.foresee_turns();
         }
         self.world.step();
     }

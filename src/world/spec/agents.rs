@@ -84,7 +84,10 @@ impl GroupSpec {
 }
 
 /// The shape of a body in its own frame, whose first axis is the body's heading. The frame's
-/// origin, the centroid, is what a position in the world file and a trace means.
+/// origin, the centroid, is what a position in the world file and a trace means, and all
+/// that laws see of the body: its shape counts for contacts, gaps and headings. Bodies that
+/// are placed at random do not touch the balls about the centroid that hold the others; listed
+/// ones may stand as near as their shapes allow.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[schemars(rename = "BodyShape")]
