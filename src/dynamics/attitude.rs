@@ -7,7 +7,7 @@
 //!
 //! The engine's rotations are of first order in the step: a torque is taken at the start of
 //! the step, and an angular velocity ω turns a body by arctan(ωh), not ωh, in a substep
-//! h. It turns no body by more than an eighth of a full turn in a step.
+//! h. It turns no body by more than a quarter of a full turn in a step.
 
 use crate::dynamics::{Physics, Steering};
 use crate::math::{Matrix, Vector, axis, direction};

@@ -111,7 +111,7 @@ impl<const D: usize> Bodies<D> {
             attitudes: Attitudes::new(world),
             gravity: world.gravity,
             step_size: world.spec.time.step,
-            substeps: world.spec.physics.solver_iterations as f64,
+            substeps: world.spec.substeps() as f64,
             step: 0,
             next: (zeros.clone(), zeros.clone()),
             positions: agents.positions.clone(),

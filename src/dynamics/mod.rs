@@ -76,7 +76,8 @@ pub struct Touch<const D: usize> {
     pub agent: usize,
     /// What it touched.
     pub touched: Touched,
-    /// Gap between the surfaces at the start of the step; negative where they overlap.
+    /// Gap between the surfaces at the start of the step, or of a pass of the engine within it
+    /// where that is less; negative where they overlap.
     pub gap: f64,
     /// Normal impulse of the step.
     pub impulse: f64,

@@ -70,6 +70,10 @@ struct Rapier {
     bodies: Vec<RigidBodyHandle>,
     /// How far the surface of each body that is not round is from its centre at most.
     reaches: Vec<(RigidBodyHandle, f64)>,
+    /// How often in a step contacts are found and solved.
+    passes: usize,
+    /// The contacts of all passes of the last step but the last.
+    earlier: Vec<Touch<D>>,
 }
 
 impl Rapier {
@@ -81,7 +85,8 @@ impl Rapier {
             ..PhysicsWorld::default()
         };
         let parameters = &mut engine.integration_parameters;
-        parameters.dt = world.spec.time.step;
+        let passes = world.spec.passes();
+        parameters.dt = world.spec.time.step / passes as f64;
         parameters.num_solver_iterations = physics.solver_iterations;
         parameters.length_unit = physics.length_unit;
         parameters.normalized_max_linear_velocity = NO_SPEED_CAP / physics.length_unit;
@@ -116,8 +121,16 @@ impl Rapier {
         Self {
             world: engine,
             reaches: reaches.collect(),
+            passes,
+            earlier: Vec::new(),
             bodies,
         }
+    }
+
+    /// The contacts of the pass just taken.
+    fn found(&self) -> impl Iterator<Item = Touch<D>> + '_ {
+        let pairs = self.world.narrow_phase.contact_pairs();
+        pairs.filter_map(|pair| self.touch(pair))
     }
 
     /// Has contacts foreseen as far as bodies that are not round can swing their ends in a
@@ -222,19 +235,41 @@ impl Physics<D> for Rapier {
                 Steering::Spin(spin) => body.set_angvel(angular(spin), false),
             }
         }
-        if !self.reaches.is_empty() {
-            self.foresee_turns();
+        let mut earlier = std::mem::take(&mut self.earlier);
+        earlier.clear();
+        for pass in 0..self.passes {
+            if pass > 0 {
+                earlier.extend(self.found());
+            }
+            if !self.reaches.is_empty() {
+                self.foresee_turns();
+            }
+            self.world.step();
         }
-        self.world.step();
+        self.earlier = earlier;
     }
 
     fn detect(&mut self) {
+        self.earlier.clear();
         self.world.detect_collisions(&(), &());
     }
 
     fn touches(&self, out: &mut Vec<Touch<D>>) {
-        let pairs = self.world.narrow_phase.contact_pairs();
-        out.extend(pairs.filter_map(|pair| self.touch(pair)));
+        out.extend_from_slice(&self.earlier);
+        out.extend(self.found());
+        if self.earlier.is_empty() {
+            return;
+        }
+        // The same two may have touched in several passes; the sort keeps these in order.
+        out.sort_by_key(|touch| (touch.agent, touch.touched));
+        out.dedup_by(|touch, first| {
+            let same = (touch.agent, touch.touched) == (first.agent, first.touched);
+            if same {
+                first.impulse += touch.impulse;
+                first.gap = first.gap.min(touch.gap);
+            }
+            same
+        });
     }
 
     fn lost(&self) -> Vec<usize> {

@@ -143,7 +143,7 @@ pub(super) fn fill_in(group: &mut GroupSpec) {
     if group.density.is_none() {
         group.mass.get_or_insert(PerAgent::All(1.0));
     }
-    if matches!(group.body_shape(), BodyShapeSpec::Ball { .. }) {
+    if group.is_round() {
         return;
     }
     let heading = group

@@ -6,6 +6,7 @@ use std::path::Path;
 use serde_json::json;
 use volary::trace::record::*;
 use volary::trace::{Format, TraceError, TraceReader, TraceWriter};
+use volary::world::spec::Rotation;
 
 pub const NAMES: [&str; 6] = [
     "t.jsonl",

@@ -97,7 +97,7 @@ impl Check {
         if group.mass.is_some() && group.density.is_some() {
             self.one_of_two(format!("{path}.density"), "mass");
         }
-        let round = matches!(group.body_shape(), BodyShapeSpec::Ball { .. });
+        let round = group.is_round();
         for (field, given) in [
             ("heading", group.heading.is_some()),
             ("rotation", group.rotation.is_some()),
@@ -141,12 +141,12 @@ impl Check {
     fn torque(&mut self, path: &str, torque: &TorqueSpec) {
         self.finite(&format!("{path}.damping"), torque.damping);
         self.finite(&format!("{path}.limit"), torque.limit);
-        let (n, h, damping) = (self.solver_iterations as f64, self.step, torque.damping());
+        let (n, h, damping) = (self.substeps as f64, self.step, torque.damping());
         let least = (n - 1.0) / (2.0 * n) * h * torque.gain;
         let stiffness = 2.0 * h * damping + h * h * torque.gain / n;
         if stiffness >= 4.0 {
             let what = format!(
-                "is too stiff for this step: 2 · step · damping + step² · gain / iterations is {}, \
+                "is too stiff for this step: 2 · step · damping + step² · gain / substeps is {}, \
                  and must be below 4",
                 number(stiffness)
             );

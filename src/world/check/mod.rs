@@ -36,7 +36,7 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     let mut check = Check {
         dimension: world.dimension,
         step: world.time.step,
-        solver_iterations: world.physics.solver_iterations,
+        substeps: world.substeps(),
         problems: Vec::new(),
     };
     check.time(&world.time, &world.record);
@@ -86,7 +86,7 @@ const LARGEST: f64 = 1e100;
 struct Check {
     dimension: usize,
     step: f64,
-    solver_iterations: usize,
+    substeps: usize,
     problems: Vec<Problem>,
 }
 

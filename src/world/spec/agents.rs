@@ -81,6 +81,14 @@ impl GroupSpec {
             radius: self.radius.unwrap_or(0.0),
         })
     }
+
+    /// Whether the group's bodies are balls.
+    pub fn is_round(&self) -> bool {
+        match &self.shape {
+            None | Some(BodyShapeSpec::Ball { .. }) => true,
+            Some(_) => false,
+        }
+    }
 }
 
 /// The shape of a body in its own frame, whose first axis is the body's heading. The frame's
@@ -181,7 +189,7 @@ impl Default for TorqueSpec {
 #[schemars(rename = "HeadingTurn")]
 pub struct TurnSpec {
     /// Largest angular speed (radians per unit of time); absent means what the engine allows,
-    /// an eighth of a full turn in a step.
+    /// a quarter of a full turn in a step.
     #[serde(default)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub turn_rate: Option<f64>,
