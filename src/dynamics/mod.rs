@@ -131,7 +131,15 @@ mod plane {
     mod adapter;
 
     use super::{Matrix, Vector};
-    use rapier::math::{AngVector, Rotation};
+    use crate::shape::Solid;
+    use rapier::dynamics::MassProperties;
+    use rapier::math::{AngVector, Rotation, Vector as EngineVector};
+
+    /// Mass and moment of inertia of a solid whose centroid is its frame's origin.
+    fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
+        let moment = solid.inertia()[(2, 2)] * (mass / solid.volume());
+        MassProperties::new(EngineVector::ZERO, mass, moment)
+    }
 
     fn matrix(rotation: &Rotation) -> Matrix<D> {
         Matrix::<D>::new(rotation.re, -rotation.im, rotation.im, rotation.re)
@@ -160,7 +168,17 @@ mod space {
     mod adapter;
 
     use super::{Matrix, Vector};
-    use rapier::math::{AngVector, Matrix as EngineMatrix, Rotation};
+    use crate::shape::Solid;
+    use rapier::dynamics::MassProperties;
+    use rapier::math::{AngVector, Matrix as EngineMatrix, Rotation, Vector as EngineVector};
+
+    /// Mass and inertia tensor of a solid whose centroid is its frame's origin.
+    fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
+        let tensor = solid.inertia() * (mass / solid.volume());
+        let columns: [f64; 9] = std::array::from_fn(|k| tensor.as_slice()[k]);
+        let tensor = EngineMatrix::from_cols_array(&columns);
+        MassProperties::with_inertia_matrix(EngineVector::ZERO, mass, tensor)
+    }
 
     fn matrix(rotation: &Rotation) -> Matrix<D> {
         Matrix::<D>::from_column_slice(&EngineMatrix::from_quat(*rotation).to_cols_array())

@@ -7,7 +7,7 @@ use super::rapier::prelude::{
     ColliderBuilder, ColliderHandle, IntegrationParameters, PhysicsWorld, RigidBodyBuilder,
     RigidBodyHandle,
 };
-use super::{D, angular, geometry, matrix, rotation, spin};
+use super::{D, angular, geometry, matrix, rotation, spin, weight};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched};
 use crate::math::{Matrix, Vector};
 use crate::shape::In;
@@ -50,8 +50,12 @@ fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
     }
     // The solid was built once already when the world was made.
     let form = geometry::solid(solid.shape()).expect("made before");
-    let collider = ColliderBuilder::new(form)
-        .mass(agents.mass[i])
+    let collider = ColliderBuilder::new(form);
+    let collider = match solid.is_ball() {
+        true => collider.mass(agents.mass[i]),
+        false => collider.mass_properties(weight(solid, agents.mass[i])),
+    };
+    let collider = collider
         .user_data(i as u128)
         .restitution(group.restitution.unwrap_or(physics.restitution))
         .friction(group.friction.unwrap_or(physics.friction));

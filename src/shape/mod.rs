@@ -104,8 +104,23 @@ pub(crate) mod plane {
     }
 
     /// The moment of inertia, as the tensor's entry about the third axis.
-    fn inertia(properties: &parry::mass_properties::MassProperties) -> super::Matrix<3> {
-        super::Matrix::<3>::from_diagonal(&[0.0, 0.0, properties.principal_inertia()].into())
+    fn inertia(solid: &parry::shape::SharedShape) -> super::Matrix<3> {
+        let moment = match solid.as_capsule() {
+            // Parry takes the centroid of half a disk for that of half a ball.
+            Some(capsule) => flat_capsule(capsule.half_height(), capsule.radius),
+            None => solid.mass_properties(1.0).principal_inertia(),
+        };
+        super::Matrix::<3>::from_diagonal(&[0.0, 0.0, moment].into())
+    }
+
+    /// The moment of inertia of a flat capsule at density 1: a rectangle, and two half disks
+    /// whose centroids are 4r/(3π) beyond its ends.
+    fn flat_capsule(half_length: f64, radius: f64) -> f64 {
+        use std::f64::consts::PI;
+        let (l, r) = (half_length, radius);
+        let (bar, disk) = (4.0 * l * r, PI * r * r);
+        let ends = 0.5 * r * r + l * l + 8.0 * l * r / (3.0 * PI);
+        bar * (l * l + r * r) / 3.0 + disk * ends
     }
 
     /// The edges of a polygon.
@@ -140,7 +155,8 @@ pub(crate) mod space {
     }
 
     /// The inertia tensor.
-    fn inertia(properties: &parry::mass_properties::MassProperties) -> super::Matrix<3> {
+    fn inertia(solid: &parry::shape::SharedShape) -> super::Matrix<3> {
+        let properties = solid.mass_properties(1.0);
         super::Matrix::<3>::from_column_slice(
             &properties.reconstruct_inertia_matrix().to_cols_array(),
         )

@@ -139,8 +139,8 @@ impl Query<D> for ParryQuery {
         if self.solid.as_halfspace().is_some() {
             return (0.0, Matrix::zeros());
         }
-        let properties = self.solid.mass_properties(1.0);
-        (properties.mass(), inertia(&properties))
+        let volume = self.solid.mass_properties(1.0).mass();
+        (volume, inertia(&self.solid))
     }
 }
 

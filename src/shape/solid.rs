@@ -79,7 +79,8 @@ impl<const D: usize> Solid<D> {
     }
 
     /// The gap between its surface and another's where they stand so; negative by the depth
-    /// of penetration where they overlap.
+    /// of penetration where they overlap. Two capsules in the plane are taken to overlap by no
+    /// more than the sum of their radii, the depth from which their middles cross.
     pub fn gap(&self, at: &Pose<D>, other: &Self, other_at: &Pose<D>) -> f64 {
         self.query.gap(at, &*other.query, other_at)
     }
