@@ -289,10 +289,7 @@ fn a_steering_torque_keeps_its_limit_in_every_step() {
         "{largest}: the limit was never needed"
     );
     let heading = run.snapshot().headings[0];
-    assert!(
-        (heading - Vector::<2>::new(1.0, 0.0)).norm() < 0.05,
-        "{heading}"
-    );
+    assert!(heading.x > 0.9, "{heading}: it never turned round");
 }
 
 #[test]
@@ -327,9 +324,14 @@ fn headings_that_follow_the_velocity_do_so_at_their_rate() {
 
 /// Speed of parting over speed of meeting of two bodies whose surfaces differ, head on.
 fn bounce(shape: Value, first: f64, second: f64) -> f64 {
+    // What steers its heading would turn round when its velocity does.
+    let heading = match shape["ball"].is_null() {
+        true => json!("free"),
+        false => json!(null),
+    };
     let body = |x: f64, speed: f64, restitution: f64| {
         json!({
-            "shape": shape, "restitution": restitution, "positions": { "explicit": [[x, 0]] },
+            "heading": heading, "shape": shape, "restitution": restitution, "positions": { "explicit": [[x, 0]] },
             "velocities": { "common": [speed, 0] }
         })
     };
@@ -354,13 +356,7 @@ fn a_contact_has_the_mean_restitution_of_its_surfaces() {
         for (first, second) in [(1.0, 1.0), (1.0, 0.2), (0.0, 0.0), (0.0, 0.5)] {
             let found = bounce(shape.clone(), first, second);
             let mean = 0.5 * (first + second);
-            // Flat sides meet at several points, which the engine bounces one after the other.
-            let slack = if shape["cuboid"].is_null() {
-                0.02
-            } else {
-                0.06
-            };
-            assert!((found - mean).abs() < slack, "{shape}: {found} for {mean}");
+            assert!((found - mean).abs() < 0.02, "{shape}: {found} for {mean}");
         }
     }
 }
