@@ -203,7 +203,7 @@ mod tests {
     fn turns_the_first_axis<const D: usize>(heading: Vector<D>) {
         let rotation = along(&heading);
         assert!((rotation * axis::<D>(0) - heading).norm() < 1e-10);
-        assert!((rotation * rotation.transpose() - Matrix::identity()).norm() < 1e-6);
+        assert!((rotation * rotation.transpose() - Matrix::<D>::identity()).norm() < 1e-6);
         let turn = Pose::from_matrix(Vector::zeros(), rotation).turn;
         let again = *Pose::<D>::new(Vector::zeros(), turn).rotation();
         assert!((again - rotation).norm() < 1e-6);
@@ -222,6 +222,6 @@ mod tests {
         turns_the_first_axis(Vector::<2>::new(-1.0, 0.0));
         turns_the_first_axis(Vector::<3>::new(-1.0, 0.0, 0.0));
         turns_the_first_axis(Vector::<3>::new(1.0, 0.0, 0.0));
-        assert_eq!(along(&Vector::<2>::zeros()), Matrix::identity());
+        assert_eq!(along(&Vector::<2>::zeros()), Matrix::<2>::identity());
     }
 }

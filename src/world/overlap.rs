@@ -25,7 +25,7 @@ pub(super) fn overlaps<const D: usize>(
         matches!(positions, PlacementSpec::Explicit(_))
     };
     let ball = |i: usize| solids[agents.group[i]].is_ball();
-    if !(0..agents.len()).any(|i| listed(i)) || solids.iter().all(Solid::is_ball) {
+    if !(0..agents.len()).any(listed) || solids.iter().all(Solid::is_ball) {
         return Vec::new();
     }
     let solid = |i: usize| &solids[agents.group[i]];
