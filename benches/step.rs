@@ -77,6 +77,7 @@ where
     let mut engine = <In<D> as Engine<D>>::physics(&world);
     let still = Drive {
         forces: &[],
+        steering: &[],
         obstacles: &world.obstacles,
     };
     let steps = (200_000 / agents).clamp(5, 1_000);

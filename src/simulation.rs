@@ -246,6 +246,12 @@ impl<const D: usize> Simulation<D> {
         self.bodies.snapshot()
     }
 
+    /// The force that the laws exerted on each agent in the last step, after the actuators'
+    /// cuts; at the start that of the step to come.
+    pub fn pushes(&self) -> &[Vector<D>] {
+        self.bodies.pushes()
+    }
+
     /// The contacts so far.
     pub fn ledger(&self) -> &Ledger {
         &self.ledger
@@ -290,6 +296,9 @@ impl<const D: usize> Simulation<D> {
             time: state.time,
             positions: lists(state.positions),
             velocities: lists(state.velocities),
+            rotations: state
+                .rotations
+                .map(|rotations| rotations.iter().map(Rotation::of).collect()),
             metrics: world.spec.record.metrics.then_some(metrics),
             accelerations: world.spec.record.accelerations.then(|| {
                 self.flock
@@ -324,6 +333,7 @@ impl<const D: usize> Simulation<D> {
             _ if self.snapshot().step < self.world.steps() => (Outcome::Interrupted, None),
             _ => (Outcome::Completed, None),
         };
+        let cuts = self.bodies.cuts();
         let state = self.bodies.snapshot();
         let last = measure(&self.world, &state);
         let (mut agent_gap, mut obstacle_gap) =
@@ -344,7 +354,9 @@ impl<const D: usize> Simulation<D> {
             time: state.time,
             agent_contacts: self.ledger.agent_contacts().clone(),
             obstacle_contacts: self.ledger.obstacle_contacts().clone(),
-            force_cuts: self.bodies.force_cuts(),
+            force_cuts: cuts.force,
+            rate_cuts: cuts.rate,
+            speed_cuts: cuts.speed,
             smallest_agent_gap: agent_gap,
             smallest_obstacle_gap: obstacle_gap,
             last,

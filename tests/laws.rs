@@ -85,7 +85,7 @@ fn moved<const D: usize>(spec: &WorldSpec, pose: &Pose<D>) -> WorldSpec {
 fn with_senses_and_scope(spec: &mut WorldSpec) {
     let group = &mut spec.agents[0];
     group.name = Some("flock".to_owned());
-    group.radius = 0.3;
+    group.radius = Some(0.3);
     group.sensing = common::from_json(json!({
         "radius": 3.2,
         "field_of_view": { "angle": 2.1 },

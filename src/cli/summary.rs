@@ -60,12 +60,26 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
         maybe(summary.smallest_obstacle_gap),
         "between surfaces, at frames and contacts",
     );
-    if summary.force_cuts > 0 {
-        row(
+    for (name, cuts, meaning) in [
+        (
             "force cuts",
-            summary.force_cuts.to_string(),
+            summary.force_cuts,
             "agent-steps at the actuator limit",
-        );
+        ),
+        (
+            "rate cuts",
+            summary.rate_cuts,
+            "agent-steps at the limit of its rate",
+        ),
+        (
+            "speed cuts",
+            summary.speed_cuts,
+            "agent-steps at the top speed",
+        ),
+    ] {
+        if cuts > 0 {
+            row(name, cuts.to_string(), meaning);
+        }
     }
     let _ = write!(
         text,

@@ -21,7 +21,9 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::dynamics::{Drive, Engine, Physics, Snapshot, Touch, Touched, Unusable};
+use crate::dynamics::actuator::Actuators;
+use crate::dynamics::attitude::{Attitudes, Stances};
+use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched, Unusable};
 use crate::law::{Flock, State};
 use crate::math::{Vector, axis, direction};
 use crate::shape::{In, Obstacle};
@@ -66,7 +68,9 @@ pub struct Bodies<const D: usize> {
     physics: Box<dyn Physics<D>>,
     groups: Vec<usize>,
     masses: Vec<f64>,
-    force_limits: Vec<f64>,
+    actuators: Actuators,
+    /// How the bodies stand; nothing where all are balls.
+    attitudes: Option<Attitudes<D>>,
     gravity: Vector<D>,
     step_size: f64,
     substeps: f64,
@@ -76,7 +80,7 @@ pub struct Bodies<const D: usize> {
     positions: Vec<Vector<D>>,
     /// Velocities at the time of the positions: those that laws and observers see.
     velocities: Vec<Vector<D>>,
-    /// Where the velocities point, or last pointed.
+    /// Where the bodies head: balls where their velocities point, or last pointed.
     headings: Vec<Vector<D>>,
     /// The obstacles where they are now, and where they will be at the end of the step.
     obstacles: Vec<Obstacle<D>>,
@@ -85,11 +89,11 @@ pub struct Bodies<const D: usize> {
     /// What the laws ask for now, and what they asked for a step ago.
     wanted: Vec<Vector<D>>,
     wanted_before: Vec<Vector<D>>,
-    /// What was applied: accelerations, and the forces that cause them.
-    applied: Vec<Vector<D>>,
+    /// What the actuators exert, what is applied in all, and the accelerations it causes.
+    pushes: Vec<Vector<D>>,
     forces: Vec<Vector<D>>,
+    applied: Vec<Vector<D>>,
     touches: Vec<Touch<D>>,
-    force_cuts: u64,
 }
 
 /// What bodies must know between two steps, besides their world, to go on bit for bit.
@@ -99,8 +103,13 @@ pub struct BodiesState<const D: usize> {
     step: u64,
     velocities: Vec<Vector<D>>,
     headings: Vec<Vector<D>>,
+    stances: Option<Stances<D>>,
+    wanted: Vec<Vector<D>>,
     wanted_before: Vec<Vector<D>>,
-    force_cuts: u64,
+    pushes: Vec<Vector<D>>,
+    forces: Vec<Vector<D>>,
+    applied: Vec<Vector<D>>,
+    cuts: Cuts,
 }
 
 impl<const D: usize> Bodies<D> {
@@ -110,10 +119,10 @@ impl<const D: usize> Bodies<D> {
         In<D>: Engine<D>,
     {
         let mut bodies = Self::around(<In<D> as Engine<D>>::physics(world), world);
-        // Set the engine's velocities back by half a substep.
+        // Set the engine's velocities back by half a substep. The first step is taken with the
+        // forces decided here.
         bodies.ask(flock);
         bodies.decide()?;
-        bodies.force_cuts = 0;
         for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
             *velocity -= applied * (0.5 * bodies.step_size / bodies.substeps);
         }
@@ -131,8 +140,16 @@ impl<const D: usize> Bodies<D> {
         In<D>: Engine<D>,
     {
         let agents = world.agents.len();
-        let lists = [&state.velocities, &state.headings, &state.wanted_before];
-        if lists.map(Vec::len) != [agents; 3] {
+        let lists = [
+            &state.velocities,
+            &state.headings,
+            &state.wanted,
+            &state.wanted_before,
+            &state.pushes,
+            &state.forces,
+            &state.applied,
+        ];
+        if lists.map(Vec::len) != [agents; 7] {
             return Err(Unusable("it has another number of agents".to_owned()));
         }
         let physics = <In<D> as Engine<D>>::restore(world, &state.engine)?;
@@ -140,10 +157,21 @@ impl<const D: usize> Bodies<D> {
             step: state.step,
             velocities: state.velocities,
             headings: state.headings,
+            wanted: state.wanted,
             wanted_before: state.wanted_before,
-            force_cuts: state.force_cuts,
+            pushes: state.pushes,
+            forces: state.forces,
+            applied: state.applied,
             ..Self::around(physics, world)
         };
+        bodies.actuators.resume(state.cuts);
+        match (&mut bodies.attitudes, state.stances) {
+            (Some(attitudes), Some(stances)) if stances.len() == agents => {
+                attitudes.stances = stances;
+            }
+            (None, None) => {}
+            _ => return Err(Unusable("its bodies have other shapes".to_owned())),
+        }
         let (positions, velocities) = (&mut bodies.positions, &mut bodies.engine_velocities);
         bodies.physics.read(positions, velocities);
         bodies.move_obstacles(bodies.step);
@@ -161,13 +189,17 @@ impl<const D: usize> Bodies<D> {
             step,
             velocities,
             headings,
+            attitudes,
+            wanted,
             wanted_before,
-            force_cuts,
+            pushes,
+            forces,
+            applied,
+            actuators,
             // Part of the world, and of the time.
             groups: _,
             obstacles: _,
             masses: _,
-            force_limits: _,
             gravity: _,
             step_size: _,
             substeps: _,
@@ -176,9 +208,6 @@ impl<const D: usize> Bodies<D> {
             engine_velocities: _,
             // Computed anew in every step.
             next: _,
-            wanted: _,
-            applied: _,
-            forces: _,
             touches: _,
         } = self;
         Ok(BodiesState {
@@ -186,8 +215,13 @@ impl<const D: usize> Bodies<D> {
             step: *step,
             velocities: velocities.clone(),
             headings: headings.clone(),
+            stances: attitudes.as_ref().map(|it| it.stances.clone()),
+            wanted: wanted.clone(),
             wanted_before: wanted_before.clone(),
-            force_cuts: *force_cuts,
+            pushes: pushes.clone(),
+            forces: forces.clone(),
+            applied: applied.clone(),
+            cuts: actuators.cuts(),
         })
     }
 
@@ -199,10 +233,11 @@ impl<const D: usize> Bodies<D> {
             physics,
             groups: agents.group.clone(),
             masses: agents.mass.clone(),
-            force_limits: agents.force_limit.clone(),
+            actuators: Actuators::new(agents, world.spec.time.step),
+            attitudes: Attitudes::new(world),
             gravity: world.gravity,
             step_size: world.spec.time.step,
-            substeps: world.spec.physics.solver_iterations as f64,
+            substeps: world.spec.substeps() as f64,
             step: 0,
             next: (zeros.clone(), zeros.clone()),
             positions: agents.positions.clone(),
@@ -212,10 +247,10 @@ impl<const D: usize> Bodies<D> {
             engine_velocities: agents.velocities.clone(),
             wanted: zeros.clone(),
             wanted_before: zeros.clone(),
-            applied: zeros.clone(),
-            forces: zeros,
+            pushes: zeros.clone(),
+            forces: zeros.clone(),
+            applied: zeros,
             touches: Vec::new(),
-            force_cuts: 0,
         };
         bodies.turn();
         bodies
@@ -223,17 +258,30 @@ impl<const D: usize> Bodies<D> {
 
     /// Takes one step. One that fails leaves the state before it.
     pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
-        self.ask(flock);
-        self.decide()?;
+        if self.step > 0 {
+            self.ask(flock);
+            self.decide()?;
+        }
         self.move_obstacles(self.step + 1);
+        let lag = 0.5 * self.step_size / self.substeps;
+        let steering = match &mut self.attitudes {
+            None => &[][..],
+            Some(attitudes) => {
+                // Where nothing is touched these are the velocities at the end of the step.
+                for (i, next) in self.next.1.iter_mut().enumerate() {
+                    *next = self.engine_velocities[i] + self.applied[i] * (self.step_size + lag);
+                }
+                attitudes.steer(&self.velocities, &self.next.1)
+            }
+        };
         self.physics.step(Drive {
             forces: &self.forces,
+            steering,
             obstacles: &self.obstacles,
         });
         self.find_touches();
         let (positions, velocities) = &mut self.next;
         self.physics.read(positions, &mut self.engine_velocities);
-        let lag = 0.5 * self.step_size / self.substeps;
         for (i, velocity) in velocities.iter_mut().enumerate() {
             *velocity = self.engine_velocities[i] + self.applied[i] * lag;
         }
@@ -246,6 +294,9 @@ impl<const D: usize> Bodies<D> {
         if let Err(failure) = self.check_next() {
             self.move_obstacles(self.step);
             return Err(failure);
+        }
+        if let Some(attitudes) = &mut self.attitudes {
+            attitudes.read(&*self.physics);
         }
         std::mem::swap(&mut self.positions, &mut self.next.0);
         std::mem::swap(&mut self.velocities, &mut self.next.1);
@@ -263,6 +314,11 @@ impl<const D: usize> Bodies<D> {
             positions: &self.positions,
             velocities: &self.velocities,
             headings: &self.headings,
+            rotations: self
+                .attitudes
+                .as_ref()
+                .map(|they| &they.stances.rotations[..]),
+            spins: self.attitudes.as_ref().map(|they| &they.stances.spins[..]),
             obstacles: &self.obstacles,
         }
     }
@@ -288,9 +344,15 @@ impl<const D: usize> Bodies<D> {
         touches
     }
 
-    /// Agent-steps in which the actuator limit cut the force.
-    pub fn force_cuts(&self) -> u64 {
-        self.force_cuts
+    /// How often the actuators' limits cut the laws' forces.
+    pub fn cuts(&self) -> Cuts {
+        self.actuators.cuts()
+    }
+
+    /// The force that the laws exerted on each agent in the last step, after all cuts; at
+    /// the start that of the step to come.
+    pub fn pushes(&self) -> &[Vector<D>] {
+        &self.pushes
     }
 
     /// Puts the obstacles where they are after some steps.
@@ -317,13 +379,16 @@ impl<const D: usize> Bodies<D> {
         }
     }
 
-    /// Turns the headings along the velocities; a body at rest keeps its heading.
+    /// Turns the headings: of balls along the velocities, where at rest as they were.
     fn turn(&mut self) {
         for (heading, velocity) in self.headings.iter_mut().zip(&self.velocities) {
             let along = direction(velocity);
             if along.norm_squared() > 0.0 {
                 *heading = along;
             }
+        }
+        if let Some(attitudes) = &self.attitudes {
+            attitudes.headings(&mut self.headings);
         }
     }
 
@@ -339,15 +404,18 @@ impl<const D: usize> Bodies<D> {
     /// Turns what the laws ask for into forces within the actuators' limits.
     fn decide(&mut self) -> Result<(), Failure> {
         let lead = (self.substeps - 1.0) / (2.0 * self.substeps);
+        // From the engine's velocity to that read at the end of the step.
+        let span = self.step_size * (1.0 + 0.5 / self.substeps);
         for i in 0..self.wanted.len() {
             let wanted = self.wanted[i] + (self.wanted[i] - self.wanted_before[i]) * lead;
-            let mut push = wanted * self.masses[i];
-            let size = push.norm();
-            if size > self.force_limits[i] {
-                push *= self.force_limits[i] / size;
-                self.force_cuts += 1;
-            }
-            self.forces[i] = push + self.gravity * self.masses[i];
+            let mass = self.masses[i];
+            let coasting = self.engine_velocities[i] + self.gravity * span;
+            let before = (self.step > 0).then_some(self.pushes[i]);
+            let gain = span / mass;
+            self.pushes[i] = self
+                .actuators
+                .act(i, wanted * mass, before, &coasting, gain);
+            self.forces[i] = self.pushes[i] + self.gravity * mass;
             self.applied[i] = self.forces[i] / self.masses[i];
             // Squared speeds must stay finite as well, or the engine stops the body.
             let speed_gained = self.applied[i] * self.step_size;

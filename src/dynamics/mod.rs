@@ -3,14 +3,17 @@
 //! [`Bodies`] couples a flock to rigid bodies in rapier. The engine itself sits behind
 //! [`Physics`], written once and compiled for each dimension.
 
+mod actuator;
+mod attitude;
 mod bodies;
 
+pub use actuator::Cuts;
 pub use bodies::{Bodies, BodiesState, Failure};
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::math::Vector;
+use crate::math::{Matrix, Vector};
 use crate::shape::{Geometry, In, Obstacle};
 use crate::world::World;
 
@@ -25,8 +28,15 @@ pub struct Snapshot<'a, const D: usize> {
     pub positions: &'a [Vector<D>],
     /// Velocity of each agent.
     pub velocities: &'a [Vector<D>],
-    /// Heading of each agent, a unit vector: where its velocity points, or last pointed.
+    /// Heading of each agent, a unit vector: of a ball where its velocity points, or last
+    /// pointed; of any other body its first axis.
     pub headings: &'a [Vector<D>],
+    /// Rotation of each body, from its own frame to the world's; `None` in worlds of
+    /// balls alone.
+    pub rotations: Option<&'a [Matrix<D>]>,
+    /// Angular velocity of each body, in the plane the last component alone; `None` in worlds
+    /// of balls alone. As the engine has it, half a substep late: of first order.
+    pub spins: Option<&'a [Vector<3>]>,
     /// The obstacles, where they are now.
     pub obstacles: &'a [Obstacle<D>],
 }
@@ -36,8 +46,21 @@ pub struct Snapshot<'a, const D: usize> {
 pub struct Drive<'a, const D: usize> {
     /// Force on each agent.
     pub forces: &'a [Vector<D>],
+    /// How each agent is turned; empty where none is.
+    pub steering: &'a [Steering],
     /// The obstacles, where they are at the end of the step.
     pub obstacles: &'a [Obstacle<D>],
+}
+
+/// What turns a body in a step, besides contacts. In the plane the last component counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Steering {
+    /// Nothing.
+    Free,
+    /// A torque, held over the step.
+    Torque(Vector<3>),
+    /// The angular velocity that it begins the step with.
+    Spin(Vector<3>),
 }
 
 /// What a body touched.
@@ -56,11 +79,12 @@ pub struct Touch<const D: usize> {
     pub agent: usize,
     /// What it touched.
     pub touched: Touched,
-    /// Gap between the surfaces at the start of the step; negative where they overlap.
+    /// Gap between the surfaces at the start of the step, or of a pass of the engine within it
+    /// where that is less; negative where they overlap.
     pub gap: f64,
     /// Normal impulse of the step.
     pub impulse: f64,
-    /// Speed of approach along the normal, had nothing been in the way.
+    /// Speed of approach of the centres along the normal, had nothing been in the way.
     pub approach_speed: f64,
     /// Speed at which the surface of a moving obstacle advances into the agent along the
     /// normal; 0 where it recedes, and for fixed obstacles and agents.
@@ -75,6 +99,9 @@ pub struct Touch<const D: usize> {
 pub trait Physics<const D: usize>: Send {
     /// Copies the positions and the engine's velocities of the agents.
     fn read(&self, positions: &mut [Vector<D>], velocities: &mut [Vector<D>]);
+
+    /// Copies the rotations and angular velocities of the agents.
+    fn read_attitudes(&self, rotations: &mut [Matrix<D>], spins: &mut [Vector<3>]);
 
     /// Sets the velocity of each agent.
     fn set_velocities(&mut self, velocities: &[Vector<D>]);
@@ -125,13 +152,35 @@ mod plane {
     use rapier2d as rapier;
     const D: usize = 2;
 
-    /// An angular velocity in the engine's terms.
-    fn angular(rate: [f64; 3]) -> f64 {
-        rate[2]
-    }
-
     #[path = "rapier.rs"]
     mod adapter;
+
+    use super::{Matrix, Vector};
+    use crate::shape::Solid;
+    use rapier::dynamics::MassProperties;
+    use rapier::math::{AngVector, Rotation, Vector as EngineVector};
+
+    /// Mass and moment of inertia of a solid whose centroid is its frame's origin.
+    fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
+        let moment = solid.inertia()[(2, 2)] * (mass / solid.volume());
+        MassProperties::new(EngineVector::ZERO, mass, moment)
+    }
+
+    fn matrix(rotation: &Rotation) -> Matrix<D> {
+        Matrix::<D>::new(rotation.re, -rotation.im, rotation.im, rotation.re)
+    }
+
+    fn rotation(matrix: &Matrix<D>) -> Rotation {
+        Rotation::from_cos_sin_unchecked(matrix[(0, 0)], matrix[(1, 0)])
+    }
+
+    fn spin(angular: AngVector) -> Vector<3> {
+        Vector::<3>::new(0.0, 0.0, angular)
+    }
+
+    fn angular(spin: &Vector<3>) -> AngVector {
+        spin.z
+    }
 }
 
 #[path = "."]
@@ -141,13 +190,38 @@ mod space {
     use rapier3d as rapier;
     const D: usize = 3;
 
-    /// An angular velocity in the engine's terms.
-    fn angular(rate: [f64; 3]) -> rapier::math::Vector {
-        rate.into()
-    }
-
     #[path = "rapier.rs"]
     mod adapter;
+
+    use super::{Matrix, Vector};
+    use crate::shape::Solid;
+    use rapier::dynamics::MassProperties;
+    use rapier::math::{AngVector, Matrix as EngineMatrix, Rotation, Vector as EngineVector};
+
+    /// Mass and inertia tensor of a solid whose centroid is its frame's origin.
+    fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
+        let tensor = solid.inertia() * (mass / solid.volume());
+        let columns: [f64; 9] = std::array::from_fn(|k| tensor.as_slice()[k]);
+        let tensor = EngineMatrix::from_cols_array(&columns);
+        MassProperties::with_inertia_matrix(EngineVector::ZERO, mass, tensor)
+    }
+
+    fn matrix(rotation: &Rotation) -> Matrix<D> {
+        Matrix::<D>::from_column_slice(&EngineMatrix::from_quat(*rotation).to_cols_array())
+    }
+
+    fn rotation(matrix: &Matrix<D>) -> Rotation {
+        let columns: [f64; 9] = std::array::from_fn(|k| matrix.as_slice()[k]);
+        Rotation::from_mat3(&EngineMatrix::from_cols_array(&columns)).normalize()
+    }
+
+    fn spin(angular: AngVector) -> Vector<3> {
+        angular.to_array().into()
+    }
+
+    fn angular(spin: &Vector<3>) -> AngVector {
+        <[f64; 3]>::from(*spin).into()
+    }
 }
 
 const _: () = {

@@ -2,19 +2,23 @@
 //! `dynamics::space`, which say what `rapier`, `geometry` and `D` are).
 
 use super::rapier::geometry::ContactPair;
-use super::rapier::math::Vector as RapierVector;
+use super::rapier::math::{Pose as RapierPose, Vector as RapierVector};
 use super::rapier::prelude::{
-    ActiveHooks, ColliderBuilder, ColliderHandle, ContactModificationContext, PhysicsHooks,
-    PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
+    ActiveHooks, ColliderBuilder, ColliderHandle, ContactModificationContext,
+    IntegrationParameters, PhysicsHooks, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
-use super::{D, angular, geometry};
-use crate::dynamics::{Drive, Engine, Physics, Touch, Touched, Unusable};
-use crate::math::Vector;
+use super::{D, angular, geometry, matrix, rotation, spin, weight};
+use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched, Unusable};
+use crate::math::{Matrix, Vector};
 use crate::shape::{In, Obstacle, Pose};
 use crate::world::World;
+use crate::world::spec::HeadingSpec;
 
 /// Highest speed the engine lets a body have, so high that it never shows.
 const NO_SPEED_CAP: f64 = 1e150;
+
+/// The largest angle that the engine turns a body by in a step.
+const LARGEST_TURN: f64 = std::f64::consts::FRAC_PI_4;
 
 impl Engine<D> for In<D> {
     fn physics(world: &World<D>) -> Box<dyn Physics<D>> {
@@ -37,6 +41,48 @@ fn unusable(error: postcard::Error) -> Unusable {
     Unusable(error.to_string())
 }
 
+/// The body of an agent and its collider.
+fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
+    let (agents, physics) = (&world.agents, &world.spec.physics);
+    let group = &world.spec.agents[agents.group[i]];
+    let solid = &world.solids[agents.group[i]];
+    let pose = RapierPose::from_parts(vector(&agents.positions[i]), rotation(&agents.rotations[i]));
+    let mut body = RigidBodyBuilder::dynamic()
+        .pose(pose)
+        .linvel(vector(&agents.velocities[i]))
+        .can_sleep(false)
+        .user_data(i as u128)
+        // Contacts are foreseen along a whole step's travel: of agents
+        // with each other, which the engine's sweeps leave out, and with walls.
+        .soft_ccd_prediction(f64::MAX);
+    let turns = match solid.is_ball() {
+        // Nothing can turn a ball without friction.
+        true => has_friction(world),
+        false => group.heading != Some(HeadingSpec::Fixed),
+    };
+    if !turns {
+        body = body.lock_rotations();
+    }
+    // The solid was built once already when the world was made.
+    let form = geometry::solid(solid.shape()).expect("made before");
+    let collider = ColliderBuilder::new(form);
+    let collider = match solid.is_ball() {
+        true => collider.mass(agents.mass[i]),
+        false => collider.mass_properties(weight(solid, agents.mass[i])),
+    };
+    let collider = collider
+        .user_data(i as u128)
+        .restitution(group.restitution.unwrap_or(physics.restitution))
+        .friction(group.friction.unwrap_or(physics.friction));
+    (body, collider)
+}
+
+/// Whether any surface of a world has friction.
+fn has_friction(world: &World<D>) -> bool {
+    let groups = world.spec.agents.iter();
+    world.spec.physics.friction > 0.0 || groups.filter_map(|it| it.friction).any(|it| it > 0.0)
+}
+
 /// The agents and obstacles of a world in rapier.
 struct Rapier {
     world: PhysicsWorld,
@@ -44,6 +90,14 @@ struct Rapier {
     /// The obstacles that move, by index, and their bodies.
     moving: Vec<(usize, RigidBodyHandle)>,
     surfaces: Surfaces,
+    /// How far the surface of each body that is not round is from its centre at most.
+    reaches: Vec<(RigidBodyHandle, f64)>,
+    /// How often in a step contacts are found and solved.
+    passes: usize,
+    /// The contacts of all passes of the last step but the last.
+    earlier: Vec<Touch<D>>,
+    /// How far contacts are foreseen at least, for the sake of obstacles that turn.
+    foresight: f64,
 }
 
 /// Restitution and friction of each obstacle, where its own count.
@@ -94,7 +148,8 @@ impl Rapier {
             ..PhysicsWorld::default()
         };
         let parameters = &mut engine.integration_parameters;
-        parameters.dt = world.spec.time.step;
+        let passes = world.spec.passes();
+        parameters.dt = world.spec.time.step / passes as f64;
         parameters.num_solver_iterations = physics.solver_iterations;
         parameters.length_unit = physics.length_unit;
         parameters.normalized_max_linear_velocity = NO_SPEED_CAP / physics.length_unit;
@@ -105,23 +160,7 @@ impl Rapier {
 
         let agents = &world.agents;
         for i in 0..agents.len() {
-            let mut body = RigidBodyBuilder::dynamic()
-                .translation(vector(&agents.positions[i]))
-                .linvel(vector(&agents.velocities[i]))
-                .can_sleep(false)
-                .user_data(i as u128)
-                // Contacts are foreseen along a whole step's travel: of agents
-                // with each other, which the engine's sweeps leave out, and with walls.
-                .soft_ccd_prediction(f64::MAX);
-            if physics.friction == 0.0 {
-                // Nothing can turn a ball without friction.
-                body = body.lock_rotations();
-            }
-            let collider = ColliderBuilder::ball(agents.radius[i])
-                .mass(agents.mass[i])
-                .user_data(i as u128)
-                .restitution(physics.restitution)
-                .friction(physics.friction);
+            let (body, collider) = agent(world, i);
             engine.insert(body, collider);
         }
         for (index, obstacle) in world.obstacles.iter().enumerate() {
@@ -160,13 +199,6 @@ impl Rapier {
                 engine.insert_collider(collider, body);
             }
         }
-        let sweeps = world
-            .obstacles
-            .iter()
-            .map(|it| sweep(it, world.spec.time.step));
-        let farthest = sweeps.fold(0.0, f64::max);
-        engine.integration_parameters.normalized_prediction_distance +=
-            farthest / physics.length_unit;
         Self::around(engine, world).expect("it was just filled")
     }
 
@@ -179,11 +211,25 @@ impl Rapier {
             *bodies.get_mut(body.user_data as usize)? = Some(handle);
         }
         let obstacles = bodies.split_off(agents).into_iter().enumerate();
-        Some(Self {
+        let bodies = bodies.into_iter().collect::<Option<Vec<_>>>()?;
+        let reaches = bodies.iter().enumerate().filter_map(|(i, body)| {
+            let solid = &world.solids[world.agents.group[i]];
+            (!solid.is_ball()).then(|| (*body, solid.radius()))
+        });
+        let sweeps = world.obstacles.iter();
+        let farthest = sweeps
+            .map(|it| sweep(it, world.spec.time.step))
+            .fold(0.0, f64::max);
+        let usual = IntegrationParameters::default().normalized_prediction_distance;
+        let mut rapier = Self {
             moving: obstacles
                 .filter_map(|(index, body)| Some((index, body?)))
                 .collect(),
-            bodies: bodies.into_iter().collect::<Option<_>>()?,
+            reaches: reaches.collect(),
+            passes: world.spec.passes(),
+            earlier: Vec::new(),
+            foresight: usual + farthest / world.spec.physics.length_unit,
+            bodies,
             world: engine,
             surfaces: Surfaces {
                 agents,
@@ -194,7 +240,30 @@ impl Rapier {
                     .map(|own| (own.restitution, own.friction))
                     .collect(),
             },
-        })
+        };
+        rapier.foresee();
+        Some(rapier)
+    }
+
+    /// The contacts of the pass just taken.
+    fn found(&self) -> impl Iterator<Item = Touch<D>> + '_ {
+        let pairs = self.world.narrow_phase.contact_pairs();
+        pairs.filter_map(|pair| self.touch(pair))
+    }
+
+    /// Has contacts foreseen as far as obstacles and bodies that are not round can swing their
+    /// ends in a step: what the engine does by itself looks along the travel of their centres
+    /// alone.
+    fn foresee(&mut self) {
+        let swing = |(body, reach): &(RigidBodyHandle, f64)| {
+            let speed = spin(self.world.bodies[*body].angvel()).norm();
+            (speed * self.world.integration_parameters.dt).min(LARGEST_TURN) * reach
+        };
+        let widest = self.reaches.iter().map(swing).fold(0.0, f64::max);
+        let parameters = &mut self.world.integration_parameters;
+        // Two may swing towards each other.
+        parameters.normalized_prediction_distance =
+            self.foresight.max(2.0 * widest / parameters.length_unit);
     }
 
     /// What a collider belongs to, by its user data: the agents count first, then the
@@ -254,6 +323,15 @@ impl Physics<D> for Rapier {
         }
     }
 
+    fn read_attitudes(&self, rotations: &mut [Matrix<D>], spins: &mut [Vector<3>]) {
+        let out = rotations.iter_mut().zip(spins);
+        for ((rotation, angular), handle) in out.zip(&self.bodies) {
+            let body = &self.world.bodies[*handle];
+            *rotation = matrix(body.rotation());
+            *angular = spin(body.angvel());
+        }
+    }
+
     fn set_velocities(&mut self, velocities: &[Vector<D>]) {
         for (velocity, handle) in velocities.iter().zip(&self.bodies) {
             self.world.bodies[*handle].set_linvel(vector(velocity), false);
@@ -266,7 +344,17 @@ impl Physics<D> for Rapier {
             body.reset_forces(false);
             body.add_force(vector(force), false);
         }
-        let step = self.world.integration_parameters.dt;
+        for (steering, handle) in drive.steering.iter().zip(&self.bodies) {
+            let body = &mut self.world.bodies[*handle];
+            // A torque lasts until it is taken back, as forces do.
+            body.reset_torques(false);
+            match steering {
+                Steering::Free => {}
+                Steering::Torque(torque) => body.add_torque(angular(torque), false),
+                Steering::Spin(spin) => body.set_angvel(angular(spin), false),
+            }
+        }
+        let step = self.world.integration_parameters.dt * self.passes as f64;
         for (index, handle) in &self.moving {
             let Some(obstacle) = drive.obstacles.get(*index) else {
                 continue;
@@ -275,9 +363,18 @@ impl Physics<D> for Rapier {
             let way = vector(&obstacle.pose.translation) - body.translation();
             body.set_linvel(way / step, false);
             let rate = obstacle.twist().map_or([0.0; 3], |twist| twist.rate);
-            body.set_angvel(angular(rate), false);
+            body.set_angvel(angular(&rate.into()), false);
         }
-        self.world.step_with_events(&self.surfaces, &());
+        let mut earlier = std::mem::take(&mut self.earlier);
+        earlier.clear();
+        for pass in 0..self.passes {
+            if pass > 0 {
+                earlier.extend(self.found());
+            }
+            self.foresee();
+            self.world.step_with_events(&self.surfaces, &());
+        }
+        self.earlier = earlier;
         // Exactly where they are to be: the engine's own steps would drift away.
         for (index, handle) in &self.moving {
             if let Some(obstacle) = drive.obstacles.get(*index) {
@@ -288,12 +385,13 @@ impl Physics<D> for Rapier {
     }
 
     fn detect(&mut self) {
+        self.earlier.clear();
         self.world.detect_collisions(&self.surfaces, &());
     }
 
     fn touches(&self, out: &mut Vec<Touch<D>>) {
-        let pairs = self.world.narrow_phase.contact_pairs();
-        out.extend(pairs.filter_map(|pair| self.touch(pair)));
+        out.extend_from_slice(&self.earlier);
+        out.extend(self.found());
     }
 
     fn lost(&self) -> Vec<usize> {

@@ -1,12 +1,64 @@
 //! Gaps between surfaces.
 
+use crate::dynamics::Snapshot;
 use crate::math::Vector;
 use crate::sense::Cells;
-use crate::shape::Obstacle;
+use crate::shape::{Pose, Solid};
+use crate::world::World;
 
-/// The smallest gap between the surfaces of two agents, negative where they overlap;
-/// `None` for fewer than two.
-pub fn agent_gap<const D: usize>(positions: &[Vector<D>], radii: &[f64]) -> Option<f64> {
+/// The smallest gap between the surfaces of two agents, negative where they overlap (by
+/// the depth of penetration); `None` for fewer than two.
+pub fn agent_gap<const D: usize>(world: &World<D>, state: &Snapshot<'_, D>) -> Option<f64> {
+    let radii = &world.agents.radius;
+    match poses(state) {
+        None => smallest_gap(state.positions, radii, |_, _, between_balls| between_balls),
+        Some(pose) => smallest_gap(state.positions, radii, |i, j, between_balls| {
+            let (one, other) = (solid(world, i), solid(world, j));
+            match one.is_ball() && other.is_ball() {
+                true => between_balls,
+                false => one.gap(&pose(i), other, &pose(j)),
+            }
+        }),
+    }
+}
+
+/// The smallest gap between the surfaces of an agent and an obstacle, negative where
+/// they overlap (by the depth of penetration); `None` without obstacles.
+pub fn obstacle_gap<const D: usize>(world: &World<D>, state: &Snapshot<'_, D>) -> Option<f64> {
+    let pose = poses(state);
+    let mut smallest = f64::INFINITY;
+    for (i, (position, radius)) in state.positions.iter().zip(&world.agents.radius).enumerate() {
+        for obstacle in state.obstacles {
+            if !obstacle.may_reach(position, smallest + radius) {
+                continue;
+            }
+            let gap = match &pose {
+                Some(pose) if !solid(world, i).is_ball() => obstacle.gap(solid(world, i), &pose(i)),
+                _ => obstacle.project(position).distance - radius,
+            };
+            smallest = smallest.min(gap);
+        }
+    }
+    smallest.is_finite().then_some(smallest)
+}
+
+fn solid<const D: usize>(world: &World<D>, i: usize) -> &Solid<D> {
+    &world.solids[world.agents.group[i]]
+}
+
+/// Where the bodies stand; `None` in worlds of balls alone.
+fn poses<'a, const D: usize>(state: &Snapshot<'a, D>) -> Option<impl Fn(usize) -> Pose<D> + 'a> {
+    let (positions, rotations) = (state.positions, state.rotations?);
+    Some(move |i: usize| Pose::from_matrix(positions[i], rotations[i]))
+}
+
+/// The smallest gap of two bodies, by `exact` of their indices and the gap between the balls
+/// of these radii that hold them, which is never more.
+fn smallest_gap<const D: usize>(
+    positions: &[Vector<D>],
+    radii: &[f64],
+    exact: impl Fn(usize, usize, f64) -> f64,
+) -> Option<f64> {
     if positions.len() < 2 {
         return None;
     }
@@ -25,7 +77,10 @@ pub fn agent_gap<const D: usize>(positions: &[Vector<D>], radii: &[f64]) -> Opti
             cells.for_each_within(position, range, |place, _, squared| {
                 let j = cells.order()[place] as usize;
                 if i < j {
-                    gap = gap.min(squared.sqrt() - radii[i] - radii[j]);
+                    let between_balls = squared.sqrt() - radii[i] - radii[j];
+                    if between_balls < gap {
+                        gap = gap.min(exact(i, j, between_balls));
+                    }
                 }
             });
         }
@@ -35,24 +90,6 @@ pub fn agent_gap<const D: usize>(positions: &[Vector<D>], radii: &[f64]) -> Opti
         }
         range *= 2.0;
     }
-}
-
-/// The smallest gap between the surfaces of an agent and an obstacle, negative where
-/// they overlap; `None` without obstacles.
-pub fn obstacle_gap<const D: usize>(
-    positions: &[Vector<D>],
-    radii: &[f64],
-    obstacles: &[Obstacle<D>],
-) -> Option<f64> {
-    let mut smallest = f64::INFINITY;
-    for (position, radius) in positions.iter().zip(radii) {
-        for obstacle in obstacles {
-            if obstacle.may_reach(position, smallest + radius) {
-                smallest = smallest.min(obstacle.project(position).distance - radius);
-            }
-        }
-    }
-    smallest.is_finite().then_some(smallest)
 }
 
 #[cfg(test)]
@@ -74,13 +111,16 @@ mod tests {
                     smallest = smallest.min((points[i] - points[j]).norm() - radii[i] - radii[j]);
                 }
             }
-            let gap = agent_gap(&points, &radii).expect("there are pairs");
+            let gap = smallest_gap(&points, &radii, |_, _, gap| gap).expect("there are pairs");
             prop_assert!((gap - smallest).abs() < 1e-12);
         }
     }
 
     #[test]
     fn one_agent_has_no_gap() {
-        assert_eq!(agent_gap(&[Vector::<2>::zeros()], &[1.0]), None);
+        assert_eq!(
+            smallest_gap(&[Vector::<2>::zeros()], &[1.0], |_, _, gap| gap),
+            None
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Obstacle shapes: closest points, their exact derivatives, and bounds.
+//! Shapes of obstacles and bodies: closest points, their exact derivatives, bounds and gaps.
 //!
 //! A shape is a core (a point, a segment, a triangle in space, a convex polytope or a
 //! half-space) rounded by a radius. The closest point comes from a parry query on the
@@ -15,6 +15,7 @@ mod parts;
 mod pose;
 mod projection;
 mod sight;
+mod solid;
 pub mod surface;
 
 pub use motion::{Easing, Motion, Twist};
@@ -22,10 +23,12 @@ pub use obstacle::{Acting, Obstacle};
 pub use part::Part;
 pub use pose::Pose;
 pub use projection::Projection;
+pub use solid::Solid;
 
+use std::any::Any;
 use std::fmt::Debug;
 
-use crate::math::Vector;
+use crate::math::{Matrix, Vector};
 
 /// A convex shape of `D` dimensions, in its own frame: a solid, or something thin.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,7 +102,7 @@ pub struct Face<const D: usize> {
 }
 
 /// What the shape code asks of parry, in the shape's own frame.
-pub trait Query<const D: usize>: Debug + Send + Sync {
+pub trait Query<const D: usize>: Any + Debug + Send + Sync {
     /// The point of the solid core nearest to `point`; `point` itself inside.
     fn closest(&self, point: &Vector<D>) -> Vector<D>;
     /// Whether the segment between two points meets the solid.
@@ -110,6 +113,12 @@ pub trait Query<const D: usize>: Debug + Send + Sync {
     fn centroid(&self) -> Vector<D>;
     /// Lowest and highest corner of the bounding box of the posed shape.
     fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>);
+    /// The gap between the solid at `pose` and another, made for the same dimension, at
+    /// `other_pose`; negative by the depth of penetration where they overlap.
+    fn gap(&self, pose: &Pose<D>, other: &dyn Query<D>, other_pose: &Pose<D>) -> f64;
+    /// Volume (area), and the inertia tensor about the centroid at density 1; in the plane
+    /// only the tensor's last entry counts. Both 0 for a half-space.
+    fn volume_and_inertia(&self) -> (f64, Matrix<3>);
 }
 
 /// A tree of boxes, to find those near to a point among many.
@@ -145,6 +154,26 @@ pub(crate) mod plane {
 
     fn rotation(matrix: &crate::math::Matrix<D>) -> parry::math::Rotation {
         parry::math::Rotation::from_cos_sin_unchecked(matrix[(0, 0)], matrix[(1, 0)])
+    }
+
+    /// The moment of inertia, as the tensor's entry about the third axis.
+    fn inertia(solid: &parry::shape::SharedShape) -> super::Matrix<3> {
+        let moment = match solid.as_capsule() {
+            // Parry takes the centroid of half a disk for that of half a ball.
+            Some(capsule) => flat_capsule(capsule.half_height(), capsule.radius),
+            None => solid.mass_properties(1.0).principal_inertia(),
+        };
+        super::Matrix::<3>::from_diagonal(&[0.0, 0.0, moment].into())
+    }
+
+    /// The moment of inertia of a flat capsule at density 1: a rectangle, and two half disks
+    /// whose centroids are 4r/(3π) beyond its ends.
+    fn flat_capsule(half_length: f64, radius: f64) -> f64 {
+        use std::f64::consts::PI;
+        let (l, r) = (half_length, radius);
+        let (bar, disk) = (4.0 * l * r, PI * r * r);
+        let ends = 0.5 * r * r + l * l + 8.0 * l * r / (3.0 * PI);
+        bar * (l * l + r * r) / 3.0 + disk * ends
     }
 
     /// The edges of a polygon.
@@ -186,6 +215,14 @@ pub(crate) mod space {
         });
         let [x, y, z] = columns;
         parry::math::Rotation::from_mat3(&parry::math::Matrix::from_cols(x, y, z))
+    }
+
+    /// The inertia tensor.
+    fn inertia(solid: &parry::shape::SharedShape) -> super::Matrix<3> {
+        let properties = solid.mass_properties(1.0);
+        super::Matrix::<3>::from_column_slice(
+            &properties.reconstruct_inertia_matrix().to_cols_array(),
+        )
     }
 
     /// The faces of a polyhedron.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::math::Vector;
 use crate::shape::parts::Parts;
 use crate::shape::projection::Projection;
-use crate::shape::{Geometry, In, Motion, Part, Pose, Shape, Twist};
+use crate::shape::{Geometry, In, Motion, Part, Pose, Shape, Solid, Twist};
 
 /// What stands in the way: one convex part or many, in one rigid frame. Copies share what
 /// was prepared for queries.
@@ -194,6 +194,13 @@ impl<const D: usize> Obstacle<D> {
             None => projection,
             Some(moving) => projection.carried(point, &moving.twist),
         }
+    }
+
+    /// The gap between its surface and that of a solid at `pose`; negative by the depth of
+    /// penetration where they overlap. Of several parts the nearest counts.
+    pub fn gap(&self, solid: &Solid<D>, pose: &Pose<D>) -> f64 {
+        let center = self.pose.point_to_local(&pose.translation);
+        self.parts.gap(&center, &self.pose, solid, pose)
     }
 
     /// The centre b_k of an obstacle of one part: the centroid. `None` for a half-space,

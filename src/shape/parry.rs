@@ -1,13 +1,15 @@
 //! The adapter to parry, compiled once for each dimension (see `shape::plane` and
 //! `shape::space`, which say what `parry` and `D` are).
 
+use std::any::Any;
+
 use super::parry::bounding_volume::Aabb;
 use super::parry::math::{Pose as ParryPose, Vector as ParryVector};
 use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
-use super::parry::query::Ray;
+use super::parry::query::{self, Ray};
 use super::parry::shape::{Segment, SharedShape};
-use super::{D, hull_faces, parry, rotation};
-use crate::math::Vector;
+use super::{D, hull_faces, inertia, parry, rotation};
+use crate::math::{Matrix, Vector};
 use crate::shape::{Face, Geometry, In, Pose, Query, Shape, Tree};
 
 /// A pose in parry's terms.
@@ -47,7 +49,15 @@ impl Geometry<D> for In<D> {
             Shape::Ball { .. } => SharedShape::ball(0.0),
             _ => solid.clone(),
         };
-        Some(Box::new(ParryQuery { solid, core }))
+        let radius = match shape {
+            Shape::Ball { radius } | Shape::Capsule { radius, .. } => *radius,
+            _ => 0.0,
+        };
+        Some(Box::new(ParryQuery {
+            solid,
+            core,
+            radius,
+        }))
     }
 
     fn tree(boxes: &[(Vector<D>, Vector<D>)]) -> Box<dyn Tree<D>> {
@@ -103,6 +113,8 @@ impl Tree<D> for ParryTree {
 struct ParryQuery {
     solid: SharedShape,
     core: SharedShape,
+    /// Radius of the rounding.
+    radius: f64,
 }
 
 impl std::fmt::Debug for ParryQuery {
@@ -160,6 +172,33 @@ impl Query<D> for ParryQuery {
         }
         let aabb = self.solid.compute_aabb(&pose(at));
         (aabb.mins.to_array().into(), aabb.maxs.to_array().into())
+    }
+
+    fn gap(&self, at: &Pose<D>, other: &dyn Query<D>, other_at: &Pose<D>) -> f64 {
+        let other: &dyn Any = other;
+        let other: &Self = other
+            .downcast_ref()
+            .expect("one adapter for each dimension");
+        let (at, other_at) = (pose(at), pose(other_at));
+        // Distances of cores are exact where those of rounded shapes are iterated.
+        let cores = query::distance(&at, &*self.core, &other_at, &*other.core);
+        let cores = cores.map_or(f64::NAN, |found| found.distance);
+        if cores > 0.0 {
+            return cores - self.radius - other.radius;
+        }
+        let contact = query::contact(&at, &*self.solid, &other_at, &*other.solid, 0.0);
+        contact
+            .ok()
+            .flatten()
+            .map_or(0.0, |found| found.dist.min(0.0))
+    }
+
+    fn volume_and_inertia(&self) -> (f64, Matrix<3>) {
+        if self.solid.as_halfspace().is_some() {
+            return (0.0, Matrix::zeros());
+        }
+        let volume = self.solid.mass_properties(1.0).mass();
+        (volume, inertia(&self.solid))
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::math::Vector;
 use crate::shape::core::Core;
 use crate::shape::projection::Projection;
-use crate::shape::{Geometry, In, Pose, Query, Shape};
+use crate::shape::{Geometry, In, Pose, Query, Shape, Solid};
 
 /// A convex piece of an obstacle, in the obstacle's frame. Copies share what was
 /// prepared for queries.
@@ -48,6 +48,11 @@ impl<const D: usize> Part<D> {
                 .project(&pose.point_to_local(point), query)
                 .to_world(pose),
         }
+    }
+
+    /// The gap to a solid at `pose`, of a part of an obstacle that stands at `here`.
+    pub(super) fn gap(&self, here: &Pose<D>, solid: &Solid<D>, pose: &Pose<D>) -> f64 {
+        self.query.gap(&self.world_pose(here), solid.query(), pose)
     }
 
     /// Whether the segment between two points of the obstacle's frame meets the part.

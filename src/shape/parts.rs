@@ -2,7 +2,7 @@
 
 use crate::math::Vector;
 use crate::shape::projection::Projection;
-use crate::shape::{Geometry, In, Part, Pose, Tree};
+use crate::shape::{Geometry, In, Part, Pose, Solid, Tree};
 
 /// From this number of parts on, a tree of boxes finds the near ones.
 const MANY: usize = 9;
@@ -86,6 +86,25 @@ impl<const D: usize> Parts<D> {
         let middle = (from + to) * 0.5;
         let near = self.near(&middle, (to - from).norm() * 0.5);
         near.into_iter().any(|part| self.list[part].meets(from, to))
+    }
+
+    /// The smallest gap between a part and a solid that stands at `pose`, while the parts'
+    /// frame stands at `here`, where the solid's origin is `center`.
+    pub(super) fn gap(
+        &self,
+        center: &Vector<D>,
+        here: &Pose<D>,
+        solid: &Solid<D>,
+        pose: &Pose<D>,
+    ) -> f64 {
+        // A part farther from the centre than the nearest, by the solid's radius or more,
+        // is farther from the solid.
+        let (_, nearest) = self.nearest(center);
+        let near = self.near(center, nearest.distance.max(0.0) + solid.radius());
+        let gaps = near
+            .into_iter()
+            .map(|part| self.list[part].gap(here, solid, pose));
+        gaps.fold(f64::INFINITY, f64::min)
     }
 
     /// The parts whose surface is at most `range` away, or that contain the point, with

@@ -29,6 +29,15 @@ impl<const D: usize> Pose<D> {
         }
     }
 
+    /// From the origin's place and a rotation matrix.
+    pub fn from_matrix(translation: Vector<D>, rotation: Matrix<D>) -> Self {
+        Self {
+            translation,
+            turn: rotation_vector(&rotation),
+            rotation,
+        }
+    }
+
     /// The same frame with its origin elsewhere.
     pub fn at(&self, translation: Vector<D>) -> Self {
         Self {

@@ -60,11 +60,12 @@ pub struct Header {
 pub struct Bodies {
     /// Index of the agent's group in the world's `agents`.
     pub group: Vec<usize>,
-    /// Radius.
+    /// Radius of the smallest ball about the position that holds the body.
     pub radius: Vec<f64>,
     /// Mass.
     pub mass: Vec<f64>,
-    /// Actuator limit (force); null means none.
+    /// Actuator limit (force); null means none. What else there is to know of a body (shape,
+    /// further limits) stands in its group of the world.
     pub force_limit: Vec<Option<f64>>,
 }
 
@@ -79,6 +80,10 @@ pub struct Frame {
     pub positions: Vec<Vec<f64>>,
     /// Velocity of each agent.
     pub velocities: Vec<Vec<f64>>,
+    /// Rotation of each body from its own frame, whose first axis is its heading: in 2-D an
+    /// angle in radians, in 3-D a rotation vector. Absent in worlds of balls alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotations: Option<Vec<Rotation>>,
     /// The metrics of this state.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub metrics: Option<Metrics>,
@@ -301,7 +306,7 @@ pub struct Contact {
     pub largest_impulse: f64,
     /// Deepest penetration (length), 0 where the bodies never overlapped.
     pub deepest_penetration: f64,
-    /// Speed at which the bodies approached each other along the normal, just
+    /// Speed at which the bodies' centres approached each other along the normal, just
     /// before they touched; negative where they were parting.
     pub approach_speed: f64,
     /// Largest speed at which the surface of a moving obstacle advanced into the agent
@@ -337,6 +342,12 @@ pub struct Summary {
     pub obstacle_contacts: ContactCount,
     /// Agent-steps in which the actuator limit cut the force.
     pub force_cuts: u64,
+    /// Agent-steps in which the limit of its rate cut the change of the force.
+    #[serde(default)]
+    pub rate_cuts: u64,
+    /// Agent-steps in which the top speed cut the force.
+    #[serde(default)]
+    pub speed_cuts: u64,
     /// Smallest gap between two agents over all frames and contacts.
     pub smallest_agent_gap: Option<f64>,
     /// Smallest gap between an agent and an obstacle over all frames and contacts.

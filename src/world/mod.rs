@@ -4,10 +4,12 @@
 //! [`WorldSpec`](spec::WorldSpec), or into a [`Report`] of
 //! everything that is wrong with it. The spec is then resolved into a [`World`].
 
+mod agents;
 pub mod check;
 mod describe;
 pub mod document;
 mod obstacles;
+mod overlap;
 pub mod path;
 mod placement;
 pub mod problem;
@@ -24,10 +26,11 @@ mod validate;
 mod velocity;
 mod words;
 
+pub use agents::Agents;
 pub use document::Document;
 pub use problem::Problem;
 pub use report::Report;
-pub use resolve::{Agents, AnyWorld, World};
+pub use resolve::{AnyWorld, World};
 pub use set::{Override, OverrideError};
 
 use crate::math::Vector;

@@ -7,7 +7,6 @@ use crate::world::problem::Problem;
 use crate::world::spec::{
     BetaAgents, CompoundPart, EasingSpec, Heights, MotionSpec, ObstacleSpec, Rotation, ShapeSpec,
 };
-use crate::world::velocity::turn;
 use crate::world::{vector, vector_or_zero};
 
 /// The obstacles of a checked world, where they are at time 0.
@@ -233,7 +232,7 @@ fn corners(triangles: &[Vec<usize>]) -> Vec<[usize; 3]> {
 }
 
 fn pose<const D: usize>(position: &Option<Vec<f64>>, rotation: &Option<Rotation>) -> Pose<D> {
-    let turn = rotation.as_ref().map_or([0.0; 3], turn);
+    let turn = rotation.as_ref().map_or([0.0; 3], Rotation::turn);
     Pose::new(vector_or_zero(position), turn)
 }
 
@@ -250,7 +249,7 @@ fn motion<const D: usize>(spec: &MotionSpec) -> Motion<D> {
         },
         MotionSpec::Rotation { about, rate } => Motion::Rotation {
             about: about.as_ref().map(|about| vector(about)),
-            rate: turn(rate),
+            rate: rate.turn(),
         },
         MotionSpec::Waypoints {
             points,

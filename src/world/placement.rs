@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::math::Vector;
-use crate::shape::Obstacle;
+use crate::shape::{Obstacle, Solid};
 use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
 use crate::world::sites::{self, Hexagonal};
@@ -17,11 +17,12 @@ const DRAWS: usize = 20_000;
 
 /// Bodies that touch exactly may seem to overlap by rounding; this share of the distance
 /// at which they touch is forgiven.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// The agents placed so far, in cells of a fixed size. Only bodies in nobody's way are
 /// there, so that cells stay sparse even where a file lists all agents at one place.
 pub(super) struct Placement<'a, const D: usize> {
+    solids: &'a [Solid<D>],
     obstacles: &'a [Obstacle<D>],
     side: f64,
     cells: HashMap<[i64; D], Vec<Placed<D>>>,
@@ -34,6 +35,8 @@ struct Placed<const D: usize> {
     /// Index within the group.
     index: usize,
     listed: bool,
+    /// Whether the file says where it is, rather than a draw.
+    fixed: bool,
     radius: f64,
     position: Vector<D>,
 }
@@ -45,13 +48,18 @@ enum Conflict<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Placement<'a, D> {
-    /// An empty placement for these groups among these obstacles.
-    pub(super) fn new(groups: &[GroupSpec], obstacles: &'a [Obstacle<D>]) -> Self {
-        let widest = groups.iter().map(|group| 2.0 * group.radius);
+    /// An empty placement for these groups, with a solid each, among these obstacles.
+    pub(super) fn new(
+        groups: &[GroupSpec],
+        solids: &'a [Solid<D>],
+        obstacles: &'a [Obstacle<D>],
+    ) -> Self {
+        let widest = solids.iter().map(|solid| 2.0 * solid.radius());
         let separations = groups
             .iter()
             .filter_map(|group| separation(&group.positions));
         Self {
+            solids,
             obstacles,
             side: widest.chain(separations).fold(f64::MIN_POSITIVE, f64::max),
             cells: HashMap::new(),
@@ -69,21 +77,21 @@ impl<'a, const D: usize> Placement<'a, D> {
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         let mut random = Random::new(seed, Purpose::Positions(index));
         match &group.positions {
-            PlacementSpec::Explicit(positions) => self.list(index, group, positions),
+            PlacementSpec::Explicit(positions) => self.list(index, positions),
             PlacementSpec::Grid(grid) => {
                 let sites = sites::grid(&vector(&grid.corner), grid.spacing, &grid.points);
-                self.fix(index, group, "grid", sites)
+                self.fix(index, "grid", sites)
             }
             PlacementSpec::Line(line) => {
                 let sites = sites::line(&vector(&line.from), &vector(&line.to), count);
-                self.fix(index, group, "line", sites)
+                self.fix(index, "line", sites)
             }
             PlacementSpec::Hexagonal(lattice) => {
-                let least = 2.0 * group.radius * (1.0 - ROUNDING);
-                if lattice.spacing < least {
+                let width = 2.0 * self.solids[index].radius();
+                if lattice.spacing < width * (1.0 - ROUNDING) {
                     // Bodies would skip places for one another and leave a wider lattice.
                     let path = format!("agents[{index}].positions.hexagonal.spacing");
-                    let width = number(2.0 * group.radius);
+                    let width = number(width);
                     let what = format!("must be at least {width}, the width of a body");
                     return Err(vec![Problem::new(path, what)]);
                 }
@@ -105,7 +113,6 @@ impl<'a, const D: usize> Placement<'a, D> {
     fn list(
         &mut self,
         group_index: usize,
-        group: &GroupSpec,
         positions: &[Vec<f64>],
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         let mut problems = Vec::new();
@@ -115,7 +122,8 @@ impl<'a, const D: usize> Placement<'a, D> {
                 group: group_index,
                 index,
                 listed: true,
-                radius: group.radius,
+                fixed: true,
+                radius: self.solids[group_index].radius(),
                 position: vector(position),
             };
             match self.conflict(&body, 0.0) {
@@ -135,7 +143,6 @@ impl<'a, const D: usize> Placement<'a, D> {
     fn fix(
         &mut self,
         group_index: usize,
-        group: &GroupSpec,
         kind: &str,
         sites: Vec<Vector<D>>,
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
@@ -144,16 +151,17 @@ impl<'a, const D: usize> Placement<'a, D> {
                 group: group_index,
                 index,
                 listed: false,
-                radius: group.radius,
+                fixed: true,
+                radius: self.solids[group_index].radius(),
                 position,
             };
             if let Some(conflict) = self.conflict(&body, 0.0) {
-                let path = format!("agents[{group_index}].positions.{kind}");
-                let what = format!(
-                    "puts agent {index} at a place that {}",
-                    conflict.with(&body)
-                );
-                return Err(vec![Problem::new(path, what)]);
+                return Err(vec![misplaced(
+                    group_index,
+                    kind,
+                    index,
+                    &conflict.with(&body),
+                )]);
             }
             self.insert(body);
         }
@@ -175,12 +183,13 @@ impl<'a, const D: usize> Placement<'a, D> {
                 group: group_index,
                 index,
                 listed: false,
-                radius: group.radius,
+                fixed: false,
+                radius: self.solids[group_index].radius(),
                 position,
             };
             let mut draws = (0..DRAWS).map(|_| body(candidate()));
             let Some(body) = draws.find(|body| self.conflict(body, apart).is_none()) else {
-                let distance = number(apart.max(2.0 * group.radius));
+                let distance = number(apart.max(2.0 * self.solids[group_index].radius()));
                 let problem = Problem::new(
                     format!("agents[{group_index}].positions.{kind}"),
                     format!(
@@ -207,7 +216,7 @@ impl<'a, const D: usize> Placement<'a, D> {
                 cell[axis].saturating_add(step)
             });
             for other in self.cells.get(&near).into_iter().flatten() {
-                let touching = (body.radius + other.radius) * (1.0 - ROUNDING);
+                let touching = self.touching(body, other);
                 let least = if other.group == body.group {
                     touching.max(apart)
                 } else {
@@ -219,12 +228,26 @@ impl<'a, const D: usize> Placement<'a, D> {
             }
         }
         let touching = body.radius * (1.0 - ROUNDING);
+        if body.fixed && !self.solids[body.group].is_ball() {
+            return None;
+        }
         let blocks = |obstacle: &Obstacle<D>| {
             obstacle.may_reach(&body.position, body.radius)
                 && obstacle.project(&body.position).distance < touching
         };
         let index = self.obstacles.iter().position(blocks)?;
         Some(Conflict::Obstacle(index, &self.obstacles[index]))
+    }
+
+    /// The distance below which two bodies overlap, judged by the balls that hold them. None
+    /// for those that the file puts near a body that is not round: they are looked at when all
+    /// stand and it is known how they are turned.
+    fn touching(&self, body: &Placed<D>, other: &Placed<D>) -> f64 {
+        let balls = [body, other].map(|one| self.solids[one.group].is_ball());
+        if body.fixed && balls != [true, true] {
+            return 0.0;
+        }
+        (body.radius + other.radius) * (1.0 - ROUNDING)
     }
 
     fn insert(&mut self, body: Placed<D>) {
@@ -266,10 +289,21 @@ impl<const D: usize> Conflict<'_, D> {
     }
 }
 
-/// What messages call an agent: its place in the file, where it has one.
+/// What is wrong with a rule that puts an agent at an impossible place.
+pub(super) fn misplaced(group: usize, kind: &str, index: usize, what: &str) -> Problem {
+    Problem::new(
+        format!("agents[{group}].positions.{kind}"),
+        format!("puts agent {index} at a place that {what}"),
+    )
+}
+
 fn name<const D: usize>(body: &Placed<D>) -> String {
-    let (group, index) = (body.group, body.index);
-    match body.listed {
+    agent_name(body.group, body.index, body.listed)
+}
+
+/// What messages call an agent: its place in the file, where it has one.
+pub(super) fn agent_name(group: usize, index: usize, listed: bool) -> String {
+    match listed {
         true => format!("agents[{group}].positions.explicit[{index}]"),
         false => format!("agent {index} of agents[{group}]"),
     }
@@ -293,11 +327,15 @@ mod tests {
     use super::*;
     use crate::shape::{Pose, Shape};
 
-    fn problems<const D: usize>(radius: f64, positions: &[Vec<f64>]) -> Vec<Problem> {
+    fn problems<const D: usize>(radius: f64, positions: &[Vec<f64>]) -> Vec<Problem>
+    where
+        crate::shape::In<D>: crate::shape::Geometry<D>,
+    {
         let group = json!({ "radius": radius, "positions": { "explicit": positions } });
         let group: GroupSpec = serde_json::from_value(group).unwrap();
         let groups = std::slice::from_ref(&group);
-        let placed = Placement::<D>::new(groups, &[]).place(0, &group, positions.len(), 1);
+        let solids = crate::world::agents::solids(groups).unwrap();
+        let placed = Placement::<D>::new(groups, &solids, &[]).place(0, &group, positions.len(), 1);
         placed.err().unwrap_or_default()
     }
 
@@ -308,7 +346,10 @@ mod tests {
         assert_eq!(problems::<2>(0.0501, &row).len(), 25);
     }
 
-    fn agrees_with_brute_force<const D: usize>() {
+    fn agrees_with_brute_force<const D: usize>()
+    where
+        crate::shape::In<D>: crate::shape::Geometry<D>,
+    {
         // Points of a low-discrepancy sequence, dense enough for some overlaps.
         let share = |i: usize, axis: usize| (i as f64 * [0.7549, 0.5698, 0.3319][axis]).fract();
         let point = |i| (0..D).map(|axis| 4.0 * share(i, axis) - 2.0).collect();
@@ -344,7 +385,8 @@ mod tests {
         let groups = [group(1.0, 7), group(0.5, 6)];
         let pole = Pose::new(Vector::zeros(), [0.0; 3]);
         let pole = Obstacle::new("pole".into(), Shape::Ball { radius: 0.5 }, pole).unwrap();
-        let mut placement = Placement::<2>::new(&groups, std::slice::from_ref(&pole));
+        let balls = [1.0, 0.5].map(|radius| Solid::new(Shape::Ball { radius }).unwrap());
+        let mut placement = Placement::<2>::new(&groups, &balls, std::slice::from_ref(&pole));
         let far = |positions: Vec<Vector<2>>| {
             let squares = positions.iter().map(|at| (at.norm_squared() / 4.0).round());
             squares.collect::<Vec<_>>()

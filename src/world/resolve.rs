@@ -1,13 +1,15 @@
 //! A world, ready to run: agents placed, obstacles built.
 
 use crate::math::Vector;
-use crate::shape::{Geometry, In, Obstacle};
+use crate::shape::{Geometry, In, Obstacle, Solid};
+use crate::world::agents::{self, Agents, solids};
 use crate::world::check;
 use crate::world::obstacles;
+use crate::world::overlap::overlaps;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
 use crate::world::spec::{
-    AlphaInteractionSpec, LawSpec, PerAgent, ScopeSpec, WorldSpec, acts_on, each_law, each_law_mut,
+    AlphaInteractionSpec, LawSpec, ScopeSpec, WorldSpec, acts_on, each_law, each_law_mut,
 };
 use crate::world::vector_or_zero;
 use crate::world::velocity::velocities;
@@ -31,39 +33,13 @@ pub struct World<const D: usize> {
     pub spec: WorldSpec,
     /// The agents at the start.
     pub agents: Agents<D>,
+    /// The solid of each group's bodies, the centroid at the origin of its frame and the
+    /// heading along the first axis.
+    pub solids: Vec<Solid<D>>,
     /// The obstacles, where they are at time 0.
     pub obstacles: Vec<Obstacle<D>>,
     /// Acceleration of gravity.
     pub gravity: Vector<D>,
-}
-
-/// The agents at the start; each list has one entry for each agent.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Agents<const D: usize> {
-    /// Index of the group.
-    pub group: Vec<usize>,
-    /// Radius.
-    pub radius: Vec<f64>,
-    /// Mass.
-    pub mass: Vec<f64>,
-    /// Largest force that the laws can exert, infinite without limit.
-    pub force_limit: Vec<f64>,
-    /// Position.
-    pub positions: Vec<Vector<D>>,
-    /// Velocity.
-    pub velocities: Vec<Vector<D>>,
-}
-
-impl<const D: usize> Agents<D> {
-    /// Number of agents.
-    pub fn len(&self) -> usize {
-        self.positions.len()
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.positions.is_empty()
-    }
 }
 
 impl AnyWorld {
@@ -108,7 +84,8 @@ where
         for group in &mut spec.agents {
             group.count = check::size(group);
         }
-        let mut placement = Placement::new(&spec.agents, &obstacles);
+        let solids = solids(&spec.agents)?;
+        let mut placement = Placement::new(&spec.agents, &solids, &obstacles);
         let mut agents = Agents::default();
         let mut problems = Vec::new();
         for (index, group) in spec.agents.iter().enumerate() {
@@ -121,15 +98,11 @@ where
                 }
                 Err(found) => problems.extend(found),
             }
-            agents.group.extend(vec![index; count]);
-            agents.radius.extend(vec![group.radius; count]);
-            agents
-                .force_limit
-                .extend(vec![group.force_limit.unwrap_or(f64::INFINITY); count]);
-            match &group.mass {
-                PerAgent::All(mass) => agents.mass.extend(vec![*mass; count]),
-                PerAgent::Each(masses) => agents.mass.extend(masses),
-            }
+            problems.extend(agents.add_bodies(index, group, count, &solids[index]));
+            agents.turn(group, count, &solids[index]);
+        }
+        if problems.is_empty() {
+            problems = overlaps(&spec.agents, &solids, &agents, &obstacles);
         }
         if !problems.is_empty() {
             return Err(problems);
@@ -139,6 +112,7 @@ where
         Ok(Self {
             name,
             agents,
+            solids,
             obstacles,
             gravity,
             spec,
@@ -199,6 +173,9 @@ impl<const D: usize> World<D> {
 fn fill_in<const D: usize>(spec: &mut WorldSpec) {
     let zeros = || vec![0.0; D];
     spec.physics.gravity.get_or_insert_with(zeros);
+    for group in &mut spec.agents {
+        agents::fill_in(group);
+    }
     for obstacle in &mut spec.obstacles {
         obstacles::fill_in::<D>(obstacle);
     }

@@ -2,7 +2,7 @@
 
 use crate::math::{Vector, direction, mean, spin};
 use crate::world::random::{Purpose, Random};
-use crate::world::spec::{Rotation, VelocitySpec};
+use crate::world::spec::VelocitySpec;
 use crate::world::{vector, vector_or_zero};
 
 /// The velocities of the agents of group `index`, which start at `positions`.
@@ -36,18 +36,10 @@ pub(super) fn velocities<const D: usize>(
             ways.map(|way| direction(&way) * outward.speed).collect()
         }
         VelocitySpec::Rotating(rotating) => {
-            let rate = turn(&rotating.rate);
+            let rate = rotating.rate.turn();
             let ways = from_center(&rotating.center).into_iter();
             ways.map(|way| spin(rate, &way)).collect()
         }
-    }
-}
-
-/// A rotation, or a rate of rotation, as a vector: about the third axis in the plane.
-pub(super) fn turn(rotation: &Rotation) -> [f64; 3] {
-    match rotation {
-        Rotation::Angle(angle) => [0.0, 0.0, *angle],
-        Rotation::Vector(turn) => vector::<3>(turn).into(),
     }
 }
 

@@ -119,7 +119,9 @@ fn non_finite_numbers_are_refused_in_every_field() {
         "the header",
         &[
             ("world.time.step", |h| &mut h.world.time.step),
-            ("world.agents[0].radius", |h| &mut h.world.agents[0].radius),
+            ("world.agents[0].radius", |h| {
+                h.world.agents[0].radius.as_mut().unwrap()
+            }),
             ("bodies.mass[1]", |h| &mut h.bodies.mass[1]),
             ("bodies.force_limit[0]", |h| {
                 h.bodies.force_limit[0].as_mut().unwrap()

@@ -92,6 +92,10 @@ pub fn frame(step: u64) -> Frame {
         time: step as f64 * 0.1,
         positions: vec![vec![0.1, 0.2], vec![1.2345, -0.0]],
         velocities: vec![vec![5e-324, 1.0], vec![f64::MAX, -1.5]],
+        rotations: Some(vec![
+            Rotation::Angle(0.1),
+            Rotation::Vector(vec![1e-300, -0.0, 3.0]),
+        ]),
         metrics: Some(metrics()),
         accelerations: Some(vec![LawAccelerations {
             law: "alpha_interaction".to_owned(),
@@ -152,6 +156,8 @@ pub fn summary() -> Summary {
             pushed: 1,
         },
         force_cuts: 3,
+        rate_cuts: 2,
+        speed_cuts: 1,
         smallest_agent_gap: Some(0.5),
         smallest_obstacle_gap: Some(0.1),
         last: metrics(),

@@ -114,10 +114,10 @@ impl Check {
     }
 
     /// Linear feedback on the velocity is stable at rates below 2n²/((n + 1)(2n − 1)) over
-    /// the step only, with n solver iterations (see the coupling of laws to bodies);
+    /// the step only, with n substeps (see the coupling of laws to bodies);
     /// above, the run would be noise.
     fn damping(&mut self, path: &str, times: &str, rate: f64) {
-        let n = self.solver_iterations as f64;
+        let n = self.substeps as f64;
         let limit = 2.0 * n * n / ((n + 1.0) * (2.0 * n - 1.0));
         self.stable(path, times, rate, limit / self.step);
     }

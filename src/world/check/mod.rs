@@ -2,6 +2,7 @@
 //! lists, order of limits, contradictions. What one field alone can tell, the
 //! schema checks.
 
+mod agents;
 mod law;
 mod obstacle;
 mod sensing;
@@ -39,7 +40,7 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
     let mut check = Check {
         dimension: world.dimension,
         step: world.time.step,
-        solver_iterations: world.physics.solver_iterations,
+        substeps: world.substeps(),
         problems: Vec::new(),
     };
     check.time(&world.time, &world.record);
@@ -95,7 +96,7 @@ const LARGEST: f64 = 1e100;
 struct Check {
     dimension: usize,
     step: f64,
-    solver_iterations: usize,
+    substeps: usize,
     problems: Vec<Problem>,
 }
 
@@ -182,28 +183,6 @@ impl Check {
         if x.is_some_and(|x| !x.is_finite()) {
             self.add(path, "must be finite");
         }
-    }
-
-    fn group(&mut self, path: &str, group: &GroupSpec) {
-        self.finite(&format!("{path}.force_limit"), group.force_limit);
-        self.positions(path, group);
-        let Some(count) = size(group) else {
-            self.add(path, "missing field `count`, which these positions need");
-            return;
-        };
-        if let PerAgent::Each(masses) = &group.mass
-            && masses.len() != count
-        {
-            let what = format!(
-                "must list {count} masses, one for each agent, not {}",
-                masses.len()
-            );
-            self.add(format!("{path}.mass"), what);
-        }
-        if let Some(sensing) = &group.sensing {
-            self.sensing(&format!("{path}.sensing"), sensing, count);
-        }
-        self.velocities(&format!("{path}.velocities"), &group.velocities, count);
     }
 
     fn number_of_agents(&mut self, groups: &[GroupSpec]) {

@@ -280,7 +280,8 @@ impl Check {
         self.computable(path, largest(row));
     }
 
-    fn hull(&mut self, path: &str, points: &[Vec<f64>]) {
+    /// Points must span the space.
+    pub(super) fn hull(&mut self, path: &str, points: &[Vec<f64>]) {
         self.vectors(path, points);
         if points.iter().any(|point| point.len() != self.dimension) {
             return;

@@ -18,7 +18,7 @@ mod start;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use agents::{GroupSpec, PerAgent};
+pub use agents::{BodyShapeSpec, GroupSpec, HeadingSpec, PerAgent, TorqueSpec, TurnSpec};
 pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
     LawSpec, NavigationSpec, ObstacleAvoidanceSpec, Steered,
@@ -73,6 +73,22 @@ pub struct WorldSpec {
     pub record: RecordSpec,
 }
 
+impl WorldSpec {
+    /// How often in a step the engine looks for contacts and solves them: once for balls,
+    /// twice where some body is of another shape, for a blow can turn that within a step.
+    pub fn passes(&self) -> usize {
+        match self.agents.iter().all(GroupSpec::is_round) {
+            true => 1,
+            false => 2,
+        }
+    }
+
+    /// The engine's substeps in a step, over all its passes.
+    pub fn substeps(&self) -> usize {
+        self.physics.solver_iterations * self.passes()
+    }
+}
+
 /// Step and end of the run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -92,13 +108,16 @@ pub struct TimeSpec {
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Physics")]
 pub struct PhysicsSpec {
-    /// Solver substeps in each step, 1 to 64. One is enough but for dense piles.
+    /// Solver substeps in each step, 1 to 64; twice as many in worlds where some body is not
+    /// round. One is enough but for dense piles.
     #[schemars(range(min = 1, max = 64))]
     pub solver_iterations: usize,
-    /// Restitution of every contact: 0 keeps no normal speed, 1 keeps all of it.
+    /// Restitution of every surface: 0 keeps no normal speed, 1 keeps all of it. A contact's
+    /// is the mean of its two surfaces'; groups may have their own.
     #[schemars(range(min = 0, max = 1))]
     pub restitution: f64,
-    /// Coulomb friction coefficient of every contact.
+    /// Coulomb friction coefficient of every surface. A contact's is the mean of its two
+    /// surfaces'; groups may have their own.
     #[schemars(range(min = 0))]
     pub friction: f64,
     /// Acceleration of gravity, one number per dimension; absent means none.

@@ -1,0 +1,106 @@
+//! Overlaps of bodies that a file puts next to each other, by their exact shapes.
+//!
+//! Placement knows bodies by the balls that hold them, which is enough for those that it
+//! draws places for and all there is to know of balls. Bodies of other shapes may stand closer
+//! than that; this looks at them once all stand.
+
+use std::collections::BTreeMap;
+
+use crate::shape::{Obstacle, Solid};
+use crate::world::agents::Agents;
+use crate::world::placement::{ROUNDING, agent_name, misplaced};
+use crate::world::problem::Problem;
+use crate::world::spec::{GroupSpec, PlacementSpec};
+use crate::world::words::number;
+
+/// What is in the way of every body with a given place that, or whose neighbour, is not round.
+pub(super) fn overlaps<const D: usize>(
+    groups: &[GroupSpec],
+    solids: &[Solid<D>],
+    agents: &Agents<D>,
+    obstacles: &[Obstacle<D>],
+) -> Vec<Problem> {
+    // How the file says where a body is; nothing where its place is drawn.
+    let kind = |i: usize| match &groups[agents.group[i]].positions {
+        PlacementSpec::Explicit(_) => Some("explicit"),
+        PlacementSpec::Grid(_) => Some("grid"),
+        PlacementSpec::Line(_) => Some("line"),
+        PlacementSpec::Box(_) | PlacementSpec::Ball(_) | PlacementSpec::Hexagonal(_) => None,
+    };
+    let fixed = |i: usize| kind(i).is_some();
+    let ball = |i: usize| solids[agents.group[i]].is_ball();
+    if !(0..agents.len()).any(fixed) || solids.iter().all(Solid::is_ball) {
+        return Vec::new();
+    }
+    let solid = |i: usize| &solids[agents.group[i]];
+    // The index of the first agent of each group.
+    let mut first = vec![0; groups.len()];
+    for (i, group) in agents.group.iter().enumerate().rev() {
+        first[*group] = i;
+    }
+    let name = |i: usize| {
+        let group = agents.group[i];
+        agent_name(group, i - first[group], kind(i) == Some("explicit"))
+    };
+    // Each body whose place is given, with the first other in its way.
+    let mut found: BTreeMap<usize, String> = BTreeMap::new();
+    for (a, b) in near_pairs(agents) {
+        let (one, other) = (a.max(b), a.min(b));
+        if !fixed(one) || (ball(a) && ball(b)) {
+            continue;
+        }
+        let touching = -ROUNDING * (agents.radius[a] + agents.radius[b]);
+        let gap = solid(a).gap(&agents.pose(a), solid(b), &agents.pose(b));
+        if gap < touching {
+            let depth = number(-gap);
+            let what = format!("overlaps {}, by {depth}", name(other));
+            found.entry(one).or_insert(what);
+        }
+    }
+    for i in (0..agents.len()).filter(|i| fixed(*i) && !ball(*i)) {
+        let reach = agents.radius[i];
+        for (index, obstacle) in obstacles.iter().enumerate() {
+            if !obstacle.may_reach(&agents.positions[i], reach) {
+                continue;
+            }
+            let gap = obstacle.gap(solid(i), &agents.pose(i));
+            if gap < -ROUNDING * reach {
+                let what = format!(
+                    "overlaps obstacles[{index}], {}, by {}",
+                    obstacle.name,
+                    number(-gap)
+                );
+                found.entry(i).or_insert(what);
+            }
+        }
+    }
+    let problem = |(i, what): (usize, String)| match kind(i) {
+        Some(kind @ ("grid" | "line")) => {
+            let group = agents.group[i];
+            misplaced(group, kind, i - first[group], &what)
+        }
+        _ => Problem::new(name(i), what),
+    };
+    found.into_iter().map(problem).collect()
+}
+
+/// The pairs of agents whose balls overlap, by a sweep along the first axis; for each agent
+/// in the order of the others.
+fn near_pairs<const D: usize>(agents: &Agents<D>) -> Vec<(usize, usize)> {
+    let start = |i: &usize| agents.positions[*i][0] - agents.radius[*i];
+    let mut order: Vec<usize> = (0..agents.len()).collect();
+    order.sort_by(|a, b| start(a).total_cmp(&start(b)).then(a.cmp(b)));
+    let mut pairs = Vec::new();
+    for (rank, &a) in order.iter().enumerate() {
+        let end = agents.positions[a][0] + agents.radius[a];
+        let near = order[rank + 1..].iter().take_while(|b| start(b) <= end);
+        for &b in near {
+            let apart = (agents.positions[a] - agents.positions[b]).norm();
+            if apart < agents.radius[a] + agents.radius[b] {
+                pairs.push((a.min(b), a.max(b)));
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}

@@ -1,0 +1,143 @@
+//! Gaps between solids against a brute-force search over points of their surfaces.
+
+use proptest::prelude::*;
+use volary::math::{Vector, axis, direction};
+use volary::shape::{Geometry, In, Obstacle, Pose, Shape, Solid};
+
+/// Directions that fill the circle or the sphere: a golden spiral.
+fn directions<const D: usize>(count: usize) -> Vec<Vector<D>> {
+    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+    (0..count)
+        .map(|k| {
+            let share = (k as f64 + 0.5) / count as f64;
+            match D {
+                2 => {
+                    let angle = 2.0 * std::f64::consts::PI * share;
+                    Vector::from_fn(|row, _| [angle.cos(), angle.sin()][row])
+                }
+                _ => {
+                    let (z, angle) = (1.0 - 2.0 * share, golden * k as f64);
+                    let r = (1.0 - z * z).sqrt();
+                    Vector::from_fn(|row, _| [r * angle.cos(), r * angle.sin(), z][row])
+                }
+            }
+        })
+        .collect()
+}
+
+fn shapes<const D: usize>() -> Vec<Shape<D>> {
+    let point = |x: [f64; 3]| Vector::<D>::from_fn(|k, _| x[k]);
+    let corners = [
+        [0.9, 0.1, 0.0],
+        [-0.5, 0.6, 0.2],
+        [-0.6, -0.4, 0.3],
+        [0.1, -0.5, -0.7],
+    ];
+    vec![
+        Shape::Ball { radius: 0.5 },
+        Shape::Capsule {
+            from: axis::<D>(0) * -0.7,
+            to: axis::<D>(0) * 0.7,
+            radius: 0.2,
+        },
+        Shape::Cuboid {
+            half_extents: point([0.8, 0.3, 0.4]),
+        },
+        Shape::Convex {
+            points: corners.map(point).to_vec(),
+        },
+    ]
+}
+
+/// Compares the gap with the smallest distance from points of the surface of the one, found
+/// along rays from its centre, to the other.
+fn agrees<const D: usize>(
+    kinds: (usize, usize),
+    offset: [f64; 3],
+    turns: [[f64; 3]; 2],
+    count: usize,
+    coarse: f64,
+) where
+    In<D>: Geometry<D>,
+{
+    let (first, second) = (
+        shapes::<D>()[kinds.0].clone(),
+        shapes::<D>()[kinds.1].clone(),
+    );
+    let at = Pose::<D>::new(Vector::zeros(), turns[0]);
+    let there = Pose::<D>::new(Vector::from_fn(|k, _| offset[k]), turns[1]);
+    let one = Solid::new(first.clone()).expect("a solid");
+    let other = Solid::new(second.clone()).expect("a solid");
+    let gap = one.gap(&at, &other, &there);
+    assert!(
+        (other.gap(&there, &one, &at) - gap).abs() < 1e-6,
+        "{kinds:?} {gap}"
+    );
+    let surface = Obstacle::new("one".into(), first, at.clone()).expect("a solid");
+    let target = Obstacle::new("other".into(), second, there.clone()).expect("a solid");
+    assert!((surface.gap(&other, &there) - gap).abs() < 1e-12);
+    let distance = |along: Vector<D>| {
+        let point = surface.interior_point(&along, 1.0).expect("a centre");
+        target.project(&point).distance
+    };
+    let nearest = directions::<D>(count)
+        .into_iter()
+        .map(distance)
+        .fold(f64::INFINITY, f64::min);
+    if gap > 0.0 {
+        assert!(
+            nearest > gap - 1e-6 && nearest < gap + coarse,
+            "{kinds:?} {gap} {nearest}"
+        );
+    } else {
+        // To part them, at least the deepest point must come out.
+        assert!(
+            nearest < coarse && gap < nearest + 1e-6,
+            "{kinds:?} {gap} {nearest}"
+        );
+        if kinds == (1, 1) && gap < -0.4 + 1e-9 {
+            // Capsules that cross: by the sum of their radii, and no deeper.
+            return;
+        }
+        // Moved apart by the depth along the right direction they just touch.
+        let parted = |along: Vector<D>| {
+            let moved = &there.translation + along * -gap;
+            one.gap(&at, &other, &Pose::new(moved, there.turn))
+        };
+        let best = directions::<D>(count)
+            .into_iter()
+            .map(parted)
+            .fold(f64::MIN, f64::max);
+        assert!(best > -coarse && best < 1e-6, "{kinds:?} {gap}: {best}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn gaps_in_the_plane_are_those_of_the_surfaces(
+        kinds in (0..4usize, 0..4usize),
+        along in prop::array::uniform3(-1.0..1.0f64),
+        apart in 0.0..3.0f64,
+        turns in prop::array::uniform2(prop::array::uniform3(-3.0..3.0f64)),
+    ) {
+        let along = direction(&Vector::<2>::new(along[0], along[1])) * apart;
+        agrees::<2>(kinds, [along.x, along.y, 0.0], turns, 700, 0.02);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn gaps_in_space_are_those_of_the_surfaces(
+        kinds in (0..4usize, 0..4usize),
+        along in prop::array::uniform3(-1.0..1.0f64),
+        apart in 0.0..3.0f64,
+        turns in prop::array::uniform2(prop::array::uniform3(-3.0..3.0f64)),
+    ) {
+        let along = direction(&Vector::<3>::from(along)) * apart;
+        agrees::<3>(kinds, along.into(), turns, 1500, 0.12);
+    }
+}
