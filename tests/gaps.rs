@@ -49,6 +49,20 @@ fn shapes<const D: usize>() -> Vec<Shape<D>> {
     ]
 }
 
+/// The corners of a shape.
+fn corners<const D: usize>(shape: &Shape<D>) -> Vec<Vector<D>> {
+    match shape {
+        Shape::Cuboid { half_extents } => (0..1 << D)
+            .map(|signs| {
+                let sign = |k: usize| if signs >> k & 1 == 0 { 1.0 } else { -1.0 };
+                Vector::from_fn(|k, _| half_extents[k] * sign(k))
+            })
+            .collect(),
+        Shape::Convex { points } => points.clone(),
+        _ => Vec::new(),
+    }
+}
+
 /// Compares the gap with the smallest distance from points of the surface of the one, found
 /// along rays from its centre, to the other.
 fn agrees<const D: usize>(
@@ -80,9 +94,17 @@ fn agrees<const D: usize>(
         let point = surface.interior_point(&along, 1.0).expect("a centre");
         target.project(&point).distance
     };
-    let nearest = directions::<D>(count)
+    let rays = directions::<D>(count).into_iter().map(distance);
+    // Rays that are evenly spread miss sharp corners by far.
+    let from_first = corners(one.shape())
         .into_iter()
-        .map(distance)
+        .map(|corner| target.project(&at.point_to_world(&corner)).distance);
+    let from_second = corners(other.shape())
+        .into_iter()
+        .map(|corner| surface.project(&there.point_to_world(&corner)).distance);
+    let nearest = rays
+        .chain(from_first)
+        .chain(from_second)
         .fold(f64::INFINITY, f64::min);
     if gap > 0.0 {
         assert!(

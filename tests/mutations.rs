@@ -57,6 +57,10 @@ fn sound_worlds() -> Vec<Value> {
         for prose in ["notes", "description", "$schema"] {
             world.as_object_mut().expect("a world").remove(prose);
         }
+        world["record"] = json!({
+            "every": world["time"]["step"], "accelerations": true, "beta_agents": true,
+            "edges": true, "net": true, "links": true
+        });
         for group in world["agents"].as_array_mut().expect("groups") {
             if let Some(count) = group.get("count").and_then(Value::as_u64) {
                 group["count"] = json!(count.min(AGENTS));

@@ -44,9 +44,12 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         components: clusters.as_ref().map(Components::count),
         density: clusters.as_ref().map(Components::density),
         edges: net.as_ref().map(|net| net.edges().len()),
-        structural_energy: alpha.zip(net.as_ref()).map(|(alpha, net)| {
-            structural_energy(snapshot.positions, snapshot.velocities, net, &alpha.pair())
-        }),
+        structural_energy: alpha
+            .zip(net.as_ref())
+            .map(|(alpha, net)| {
+                structural_energy(snapshot.positions, snapshot.velocities, net, &alpha.pair())
+            })
+            .and_then(computable),
         polarization: polarization(snapshot.velocities),
         velocity_mismatch: velocity_mismatch(&errors, &Vector::zeros()),
         agent_gap: agent_gap(world, snapshot),
@@ -58,7 +61,8 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         union: clusters.as_ref().and_then(union),
         deviation_energy: alpha
             .zip(net.as_ref())
-            .map(|(alpha, net)| deviation_energy(snapshot.positions, net, alpha.spacing)),
+            .map(|(alpha, net)| deviation_energy(snapshot.positions, net, alpha.spacing))
+            .and_then(computable),
         order: order(snapshot.velocities),
         cluster_correlation: clusters
             .as_ref()
@@ -69,4 +73,9 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         safety: collisions.map(|ratio| 1.0 - ratio),
         obstacle_safety: obstacle_safety(snapshot.positions, radii, snapshot.obstacles),
     }
+}
+
+/// A value, where it is one: parameters far from any purpose can make an energy overflow.
+fn computable(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
 }

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::Snapshot;
 use crate::math::{AlphaPair, Bump, Fade, Vector};
+use crate::metric::computable;
 use crate::net::{
     Adjacency, LinkChanges, Net, Rigidity, Verdict, algebraic_connectivity, crossings, defect,
     is_planar, link_energy, neighborhood, normalised_defect, potential_gradient, realisation_error,
@@ -85,15 +86,16 @@ fn analyse<const D: usize>(
         algebraic_connectivity: connectivity,
         smooth_algebraic_connectivity: algebraic_connectivity(&weighted),
         connectivity: connectivity.map(|value| value / positions.len() as f64),
-        potential: structural_potential(positions, net, sharp),
-        smooth_potential: structural_potential(positions, net, smooth),
-        structural_energy: structural_energy(positions, velocities, net, sharp),
-        smooth_structural_energy: structural_energy(positions, velocities, net, smooth),
-        gradient: gradient_norm(sharp),
-        smooth_gradient: gradient_norm(smooth),
-        defect: defect(positions, net, sharp, DEFECT_WEIGHT),
-        normalised_defect: normalised_defect(positions, net, sharp, DEFECT_WEIGHT),
-        realisation_error: realisation_error(positions, net, sharp.spacing),
+        potential: computable(structural_potential(positions, net, sharp)),
+        smooth_potential: computable(structural_potential(positions, net, smooth)),
+        structural_energy: computable(structural_energy(positions, velocities, net, sharp)),
+        smooth_structural_energy: computable(structural_energy(positions, velocities, net, smooth)),
+        gradient: computable(gradient_norm(sharp)),
+        smooth_gradient: computable(gradient_norm(smooth)),
+        defect: computable(defect(positions, net, sharp, DEFECT_WEIGHT)),
+        normalised_defect: normalised_defect(positions, net, sharp, DEFECT_WEIGHT)
+            .and_then(computable),
+        realisation_error: computable(realisation_error(positions, net, sharp.spacing)),
         rigid: rigidity.is_rigid(),
         freedoms: rigidity.freedoms(),
         planar: is_planar(net),
@@ -103,7 +105,7 @@ fn analyse<const D: usize>(
         zero_votes: count(Verdict::Zero),
         links_created: None,
         links_lost: None,
-        link_energy: link_energy(sharp),
+        link_energy: computable(link_energy(sharp)),
     }
 }
 

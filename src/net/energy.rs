@@ -15,7 +15,7 @@ pub fn structural_potential<const D: usize>(
     net.edges()
         .iter()
         .map(|edge| pair.potential(distance(edge)))
-        .sum()
+        .fold(0.0, |sum, energy| sum + energy)
 }
 
 /// The gradient of [`structural_potential`] with respect to each position, the net held

@@ -207,7 +207,7 @@ pub struct Metrics {
 /// The analysis of the net that the world's first (α, α) interaction defines: agents at
 /// most its range r apart are joined. Olfati-Saber (2003), §§2 to 9. "Nonsmooth" weighs
 /// all edges with 1, "smooth" with a_ij = ρ(distance/r), whatever the protocol; null where
-/// a state does not define a value.
+/// a state does not define a value, or it is too large to compute with.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct NetRecord {
     /// Edges, each counted once.
@@ -233,23 +233,23 @@ pub struct NetRecord {
     /// Connectivity λ2/N, 0 to 1, of the nonsmooth net; SwarmLab (Soria et al. 2020).
     pub connectivity: Option<f64>,
     /// Nonsmooth structural potential V; (28).
-    pub potential: f64,
+    pub potential: Option<f64>,
     /// Smooth structural potential V; (30) with (17).
-    pub smooth_potential: f64,
+    pub smooth_potential: Option<f64>,
     /// Structural energy H_s with the nonsmooth potential; (27).
-    pub structural_energy: f64,
+    pub structural_energy: Option<f64>,
     /// Structural energy H_s with the smooth potential; (27).
-    pub smooth_structural_energy: f64,
+    pub smooth_structural_energy: Option<f64>,
     /// Length |∇V| of the nonsmooth potential's gradient.
-    pub gradient: f64,
+    pub gradient: Option<f64>,
     /// Length |∇V| of the smooth potential's gradient.
-    pub smooth_gradient: f64,
+    pub smooth_gradient: Option<f64>,
     /// Defect factor μ of the nonsmooth potential with weight w = 1; (46).
-    pub defect: f64,
+    pub defect: Option<f64>,
     /// Normalised defect factor μ_n = μ/(|E| h0); (47). Null without edges.
     pub normalised_defect: Option<f64>,
     /// Largest | |q_j − q_i| − d_α | over the edges, 0 without edges; (20).
-    pub realisation_error: f64,
+    pub realisation_error: Option<f64>,
     /// Whether the framework of the edges is infinitesimally rigid.
     pub rigid: bool,
     /// Degrees of freedom that the edges leave besides those of a rigid body.
@@ -269,7 +269,7 @@ pub struct NetRecord {
     /// Edges of the frame before that are gone; null in the first frame.
     pub links_lost: Option<usize>,
     /// Energy h0 = ψ_α(r − d_α) by which the nonsmooth energy jumps with each link; (31).
-    pub link_energy: f64,
+    pub link_energy: Option<f64>,
 }
 
 /// What an agent touched.

@@ -95,11 +95,11 @@ where
                     let velocities = velocities(index, &group.velocities, &positions, spec.seed);
                     agents.positions.extend(positions);
                     agents.velocities.extend(velocities);
+                    agents.turn(group, count, &solids[index]);
                 }
                 Err(found) => problems.extend(found),
             }
             problems.extend(agents.add_bodies(index, group, count, &solids[index]));
-            agents.turn(group, count, &solids[index]);
         }
         if problems.is_empty() {
             problems = overlaps(&spec.agents, &solids, &agents, &obstacles);

@@ -77,7 +77,7 @@ fn frames_carry_the_analysis_where_it_is_asked_for() {
             } else {
                 net.structural_energy
             };
-            assert_eq!(Some(energy), metrics.structural_energy);
+            assert_eq!(energy, metrics.structural_energy);
             assert_eq!(net.positive_votes + net.negative_votes + net.zero_votes, 25);
             assert_eq!(
                 net.algebraic_connectivity.map(|l| l > 0.0),

@@ -163,6 +163,8 @@ fn each_group_is_measured_by_its_own_target() {
             velocities: v,
             headings: &headings(v),
             obstacles: &world.obstacles,
+            rotations: None,
+            spins: None,
         };
         measure(&world, &snapshot).velocity_mismatch
     };

@@ -79,7 +79,7 @@ pub fn net() -> NetRecord {
         density: 1.0,
         balanced: true,
         algebraic_connectivity: Some(2.0),
-        potential: 0.1,
+        potential: Some(0.1),
         crossings: Some(0),
         links_lost: Some(3),
         ..NetRecord::default()
