@@ -4,16 +4,18 @@
 //! volary run olfati-saber-2003/six-obstacles --set record.edges=true --trace run.jsonl
 //! cargo run --release --example draw -- run.jsonl picture.svg 0 8.5 17 28
 //! ```
-//! Bodies and obstacles (balls, cuboids, polygons and thin walls) are drawn at true size, the
-//! edges of the proximity net where the trace has them.
+//! Bodies and obstacles are drawn at true size, the edges of the proximity net where the trace
+//! has them. What moves has the colour of the moment.
 
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 
+use volary::math::Vector;
 use volary::shape::{Pose, Shape};
 use volary::trace::record::Frame;
 use volary::trace::{Record, TraceReader};
+use volary::world::spec::Rotation;
 use volary::world::{AnyWorld, World};
 
 /// Colours that colour-blind people can tell apart (Okabe and Ito).
@@ -56,26 +58,28 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error> {
     let points = moments.iter().flat_map(|frame| &frame.positions);
-    let parts = || {
-        let obstacles = world.obstacles.iter();
-        obstacles.flat_map(|obstacle| {
-            let parts = obstacle.parts().iter();
-            parts.map(|part| (&part.shape, part.world_pose(&obstacle.pose)))
-        })
+    let parts = |moving: bool| {
+        let obstacles = world.obstacles.iter().enumerate();
+        let obstacles = obstacles.filter(move |(_, it)| it.motion().is_some() == moving);
+        obstacles.flat_map(|(index, obstacle)| obstacle.parts().iter().map(move |it| (index, it)))
     };
-    let balls = parts().flat_map(|(shape, pose)| {
-        let reach = match shape {
-            Shape::Ball { radius } => *radius,
-            _ => 0.0,
-        };
+    let fixed: Vec<(&Shape<2>, Pose<2>)> = parts(false)
+        .map(|(index, part)| (&part.shape, part.world_pose(&world.obstacles[index].pose)))
+        .collect();
+    let reach = |(shape, pose): &(&Shape<2>, Pose<2>)| {
         let at = pose.translation;
+        let (size, center) = match shape {
+            Shape::Ball { radius } => (*radius, at),
+            _ => (0.0, at),
+        };
         [
-            vec![at.x - reach, at.y - reach],
-            vec![at.x + reach, at.y + reach],
+            vec![center.x - size, center.y - size],
+            vec![center.x + size, center.y + size],
         ]
-    });
+    };
+    let places = fixed.iter().flat_map(reach);
     let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for point in points.cloned().chain(balls) {
+    for point in points.cloned().chain(places) {
         for axis in 0..2 {
             min[axis] = min[axis].min(point[axis] - 4.0);
             max[axis] = max[axis].max(point[axis] + 4.0);
@@ -99,8 +103,8 @@ fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error>
     )?;
     // The plane's y points up, a picture's down.
     writeln!(svg, r#"<g transform="scale(1,-1)">"#)?;
-    for (shape, pose) in parts() {
-        draw_shape(&mut svg, shape, &pose)?;
+    for (shape, pose) in &fixed {
+        draw_shape(&mut svg, shape, pose, "#777777")?;
     }
     for (frame, colour) in moments.iter().zip(COLOURS.iter().cycle()) {
         let mut edges = String::new();
@@ -112,12 +116,17 @@ fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error>
             svg,
             r#"<path d="{edges}" stroke="{colour}" stroke-width="0.25" stroke-opacity="0.6"/>"#
         )?;
-        for (position, radius) in frame.positions.iter().zip(&world.agents.radius) {
-            writeln!(
-                svg,
-                r#"<circle cx="{:.1}" cy="{:.1}" r="{radius}" fill="{colour}"/>"#,
-                position[0], position[1]
-            )?;
+        let poses = frame.obstacles.iter().flatten();
+        for (obstacle, pose) in poses.map(|it| (it.obstacle, pose(&it.position, &it.rotation))) {
+            for part in world.obstacles[obstacle].parts() {
+                draw_shape(&mut svg, &part.shape, &part.world_pose(&pose), colour)?;
+            }
+        }
+        for (i, position) in frame.positions.iter().enumerate() {
+            let still = Rotation::Angle(0.0);
+            let rotation = frame.rotations.as_ref().map_or(&still, |all| &all[i]);
+            let shape = world.solids[world.agents.group[i]].shape();
+            draw_shape(&mut svg, shape, &pose(position, rotation), colour)?;
         }
     }
     writeln!(svg, "</g>")?;
@@ -134,37 +143,56 @@ fn draw(world: &World<2>, moments: &[&Frame]) -> Result<String, std::fmt::Error>
     Ok(svg)
 }
 
-fn draw_shape(svg: &mut String, shape: &Shape<2>, pose: &Pose<2>) -> std::fmt::Result {
-    let at = pose.translation;
-    let corners: Vec<[f64; 2]> = match shape {
+fn pose(position: &[f64], rotation: &Rotation) -> Pose<2> {
+    Pose::new([position[0], position[1]].into(), rotation.turn())
+}
+
+fn draw_shape(
+    svg: &mut String,
+    shape: &Shape<2>,
+    pose: &Pose<2>,
+    colour: &str,
+) -> std::fmt::Result {
+    /// Farther than any picture reaches.
+    const FAR: f64 = 1e4;
+    let hull = |points: &[Vector<2>]| -> Vec<Vector<2>> {
+        let points: Vec<_> = points.iter().map(|p| [p.x, p.y].into()).collect();
+        let corners = parry2d::transformation::convex_hull(&points);
+        corners.iter().map(|p| p.to_array().into()).collect()
+    };
+    let point = |x: f64, y: f64| Vector::<2>::new(x, y);
+    let (corners, width) = match shape {
         Shape::Ball { radius } => {
+            let at = pose.translation;
             return writeln!(
                 svg,
-                r##"<circle cx="{}" cy="{}" r="{radius}" fill="#777777"/>"##,
+                r#"<circle cx="{:.2}" cy="{:.2}" r="{radius}" fill="{colour}"/>"#,
                 at.x, at.y
             );
         }
         Shape::Cuboid { half_extents: half } => {
-            vec![
-                [-half.x, -half.y],
-                [half.x, -half.y],
-                [half.x, half.y],
-                [-half.x, half.y],
-            ]
+            let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+            let corners = corners.map(|(x, y)| point(x * half.x, y * half.y));
+            (corners.to_vec(), 0.0)
         }
-        Shape::Convex { points } => points.iter().map(|point| [point.x, point.y]).collect(),
-        Shape::Triangle { points } => points.iter().map(|point| [point.x, point.y]).collect(),
-        Shape::Segment { from, to } => vec![[from.x, from.y], [to.x, to.y]],
-        Shape::Capsule { .. } | Shape::HalfSpace { .. } => return Ok(()),
+        Shape::Convex { points } => (hull(points), 0.0),
+        Shape::Triangle { points } => (points.to_vec(), 0.0),
+        Shape::Segment { from, to } => (vec![*from, *to], 0.4),
+        Shape::Capsule { from, to, radius } => (vec![*from, *to], 2.0 * radius),
+        Shape::HalfSpace { normal } => {
+            let along = point(-normal.y, normal.x) * FAR;
+            let behind = normal * -FAR;
+            (vec![along, -along, behind - along, behind + along], 0.0)
+        }
     };
     let corners: Vec<String> = corners
         .iter()
-        .map(|corner| pose.point_to_world(&(*corner).into()))
+        .map(|corner| pose.point_to_world(corner))
         .map(|corner| format!("{:.2},{:.2}", corner.x, corner.y))
         .collect();
     writeln!(
         svg,
-        r##"<polygon points="{}" fill="#777777" stroke="#777777" stroke-width="0.2"/>"##,
+        r#"<polygon points="{}" fill="{colour}" stroke="{colour}" stroke-width="{width}" stroke-linecap="round" stroke-linejoin="round"/>"#,
         corners.join(" ")
     )
 }
