@@ -115,7 +115,8 @@ where
     assert_eq!(checkpoint.step(), simulation.snapshot().step);
     let again = checkpoint.simulation(more).unwrap();
     // Some of it shows only later, or in few worlds: the smallest gaps do.
-    assert_eq!(again.capture(), simulation.capture());
+    // A difference would print the engine's state, which tells nobody anything.
+    assert!(again.capture() == simulation.capture());
     again
 }
 
@@ -190,6 +191,14 @@ fn brawls_go_on_bit_for_bit() {
             assert!(contacts > 15, "only {contacts} contacts");
         }
     }
+}
+
+#[test]
+fn worlds_with_all_there_is_go_on_bit_for_bit() {
+    let cuts = [0, 1, 77, 198];
+    let contacts = goes_on_as_if_never_stopped::<2>(&common::circus(2), &cuts, Vec::new)
+        + goes_on_as_if_never_stopped::<3>(&common::circus(3), &cuts, Vec::new);
+    assert!(contacts > 5, "only {contacts} contacts");
 }
 
 #[test]
@@ -314,7 +323,7 @@ fn states_of_other_worlds_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn damage_is_always_found(

@@ -1,6 +1,8 @@
 //! Whatever is done to a sound world, it is refused with a message or it runs: no panic, no
 //! record that is not finite.
 
+mod common;
+
 use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -49,7 +51,7 @@ impl Random {
     }
 }
 
-/// The shipped worlds, with few agents and without prose.
+/// The shipped worlds, with few agents and without prose, and worlds with all there is.
 fn sound_worlds() -> Vec<Value> {
     let small = |name: String| {
         let text = shipped::get(&name).expect("it is listed");
@@ -68,7 +70,9 @@ fn sound_worlds() -> Vec<Value> {
         }
         world
     };
-    shipped::names().into_iter().map(small).collect()
+    let circus = |dimension| serde_json::to_value(common::circus(dimension)).expect("it is JSON");
+    let shipped = shipped::names().into_iter().map(small);
+    shipped.chain([2, 3].map(circus)).collect()
 }
 
 /// JSON pointers to everything in a value, itself included.

@@ -6,8 +6,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::ControlFlow;
 use std::thread;
 
-use common::{spec, world};
-use serde_json::json;
+use common::world;
 use volary::simulation::Simulation;
 use volary::world::spec::WorldSpec;
 
@@ -16,36 +15,15 @@ const STEPS: u64 = 1_000_000;
 /// State and memory are looked at this often.
 const LOOKS: u64 = 10;
 
-/// Disks that never come to rest in a closed room, with every law at work.
+/// A world with all there is, for a million steps.
 fn restless() -> WorldSpec {
-    let wall = |normal: [i32; 2]| {
-        json!({
-            "shape": { "half_space": { "normal": normal } },
-            "position": [-6 * normal[0], -6 * normal[1]]
-        })
-    };
-    spec(json!({
-        "dimension": 2,
-        "time": { "step": 0.01, "end": STEPS as f64 * 0.01 },
-        "physics": { "restitution": 1, "friction": 0.2 },
-        "agents": [{
-            "count": 4, "radius": 0.5,
-            "positions": { "box": { "min": [-5, -5], "max": [5, 5] } },
-            "velocities": { "uniform": { "min": [-3, -3], "max": [3, 3] } }
-        }],
-        "obstacles": [
-            wall([1, 0]), wall([-1, 0]), wall([0, 1]), wall([0, -1]),
-            { "shape": { "ball": { "radius": 1 } } }
-        ],
-        "laws": [
-            { "alpha_interaction": { "spacing": 3, "range": 4, "damping": 0 } },
-            { "obstacle_avoidance": { "range": 1, "standoff": 0.5, "gain": 1 } },
-            { "navigation": {
-                "destination": [0, 0], "feedback": "linear", "position_gain": 0.5, "velocity_gain": 0
-            } }
-        ],
-        "record": { "every": 1 }
-    }))
+    let mut world = common::circus(2);
+    world.time.end = STEPS as f64 * world.time.step;
+    world.record.every = 10.0;
+    for (group, count) in world.agents.iter_mut().zip([2, 2, 1]) {
+        group.count = Some(count);
+    }
+    world
 }
 
 /// Runs to the end; returns the state's bits and the memory in use, at each look, and the

@@ -18,16 +18,21 @@
 //! A body that was touched has its velocity read as it stands: the engine's velocity after
 //! a contact is the one it moves on with.
 
-use serde::{Deserialize, Serialize};
+mod state;
+mod touch;
+
+pub use state::BodiesState;
+
 use thiserror::Error;
 
 use crate::dynamics::actuator::Actuators;
-use crate::dynamics::attitude::{Attitudes, Stances};
-use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched, Unusable};
+use crate::dynamics::attitude::Attitudes;
+use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched};
 use crate::law::{Flock, State};
 use crate::math::{Vector, axis, direction};
 use crate::shape::{In, Obstacle};
 use crate::world::World;
+use touch::{set_speeds, sort};
 
 /// Positions and speeds from here on end a run: the squares and energies that metrics
 /// sum would overflow.
@@ -96,22 +101,6 @@ pub struct Bodies<const D: usize> {
     touches: Vec<Touch<D>>,
 }
 
-/// What bodies must know between two steps, besides their world, to go on bit for bit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct BodiesState<const D: usize> {
-    engine: Vec<u8>,
-    step: u64,
-    velocities: Vec<Vector<D>>,
-    headings: Vec<Vector<D>>,
-    stances: Option<Stances<D>>,
-    wanted: Vec<Vector<D>>,
-    wanted_before: Vec<Vector<D>>,
-    pushes: Vec<Vector<D>>,
-    forces: Vec<Vector<D>>,
-    applied: Vec<Vector<D>>,
-    cuts: Cuts,
-}
-
 impl<const D: usize> Bodies<D> {
     /// The bodies of a world at its start, about to obey `flock`.
     pub fn new(world: &World<D>, flock: &mut Flock<D>) -> Result<Self, Failure>
@@ -128,101 +117,6 @@ impl<const D: usize> Bodies<D> {
         }
         bodies.physics.set_velocities(&bodies.engine_velocities);
         Ok(bodies)
-    }
-
-    /// The bodies of a world as they were when [`Bodies::capture`] gave `state`. Until the
-    /// next step there are no [`Bodies::touches`].
-    ///
-    /// # Errors
-    /// Where the state is not one of this world.
-    pub fn restore(world: &World<D>, state: BodiesState<D>) -> Result<Self, Unusable>
-    where
-        In<D>: Engine<D>,
-    {
-        let agents = world.agents.len();
-        let lists = [
-            &state.velocities,
-            &state.headings,
-            &state.wanted,
-            &state.wanted_before,
-            &state.pushes,
-            &state.forces,
-            &state.applied,
-        ];
-        if lists.map(Vec::len) != [agents; 7] {
-            return Err(Unusable("it has another number of agents".to_owned()));
-        }
-        let physics = <In<D> as Engine<D>>::restore(world, &state.engine)?;
-        let mut bodies = Self {
-            step: state.step,
-            velocities: state.velocities,
-            headings: state.headings,
-            wanted: state.wanted,
-            wanted_before: state.wanted_before,
-            pushes: state.pushes,
-            forces: state.forces,
-            applied: state.applied,
-            ..Self::around(physics, world)
-        };
-        bodies.actuators.resume(state.cuts);
-        match (&mut bodies.attitudes, state.stances) {
-            (Some(attitudes), Some(stances)) if stances.len() == agents => {
-                attitudes.stances = stances;
-            }
-            (None, None) => {}
-            _ => return Err(Unusable("its bodies have other shapes".to_owned())),
-        }
-        let (positions, velocities) = (&mut bodies.positions, &mut bodies.engine_velocities);
-        bodies.physics.read(positions, velocities);
-        bodies.move_obstacles(bodies.step);
-        Ok(bodies)
-    }
-
-    /// What [`Bodies::restore`] needs.
-    ///
-    /// # Errors
-    /// Where the engine cannot tell its state.
-    pub fn capture(&self) -> Result<BodiesState<D>, Unusable> {
-        // Every field is named, so that a new one cannot be forgotten here.
-        let Self {
-            physics,
-            step,
-            velocities,
-            headings,
-            attitudes,
-            wanted,
-            wanted_before,
-            pushes,
-            forces,
-            applied,
-            actuators,
-            // Part of the world, and of the time.
-            groups: _,
-            obstacles: _,
-            masses: _,
-            gravity: _,
-            step_size: _,
-            substeps: _,
-            // Known to the engine as well.
-            positions: _,
-            engine_velocities: _,
-            // Computed anew in every step.
-            next: _,
-            touches: _,
-        } = self;
-        Ok(BodiesState {
-            engine: physics.save()?,
-            step: *step,
-            velocities: velocities.clone(),
-            headings: headings.clone(),
-            stances: attitudes.as_ref().map(|it| it.stances.clone()),
-            wanted: wanted.clone(),
-            wanted_before: wanted_before.clone(),
-            pushes: pushes.clone(),
-            forces: forces.clone(),
-            applied: applied.clone(),
-            cuts: actuators.cuts(),
-        })
     }
 
     /// Bodies that this engine moves, before anything has happened to them.
@@ -461,40 +355,4 @@ impl<const D: usize> Bodies<D> {
             }),
         }
     }
-}
-
-/// Orders touches by who touched what. Those of one agent with several parts of one
-/// obstacle become one: the closest, with the impulses of all.
-fn sort<const D: usize>(touches: &mut Vec<Touch<D>>) {
-    touches.sort_by(|a, b| {
-        let key = |touch: &Touch<D>| (touch.agent, touch.touched);
-        key(a).cmp(&key(b)).then(a.gap.total_cmp(&b.gap))
-    });
-    touches.dedup_by(|next, kept| {
-        let same = (next.agent, next.touched) == (kept.agent, kept.touched);
-        if same {
-            kept.impulse += next.impulse;
-        }
-        same
-    });
-}
-
-/// Fills in the speeds along the normal, the obstacles being where they are now.
-fn set_speeds<const D: usize>(
-    touch: &mut Touch<D>,
-    velocities: &[Vector<D>],
-    obstacles: &[Obstacle<D>],
-) {
-    let other = match touch.touched {
-        Touched::Agent(other) => velocities[other],
-        Touched::Obstacle(other) => match obstacles[other].twist() {
-            Some(twist) => {
-                let velocity = twist.at(&obstacles[other].project(&touch.position).point);
-                touch.push_speed = (-velocity.dot(&touch.normal)).max(0.0);
-                velocity
-            }
-            None => Vector::zeros(),
-        },
-    };
-    touch.approach_speed = (velocities[touch.agent] - other).dot(&touch.normal);
 }

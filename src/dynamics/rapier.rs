@@ -199,7 +199,9 @@ impl Rapier {
                 engine.insert_collider(collider, body);
             }
         }
-        Self::around(engine, world).expect("it was just filled")
+        let mut rapier = Self::around(engine, world).expect("it was just filled");
+        rapier.foresee();
+        rapier
     }
 
     /// The agents and obstacles of a world in an engine that holds them, which it may have
@@ -221,7 +223,7 @@ impl Rapier {
             .map(|it| sweep(it, world.spec.time.step))
             .fold(0.0, f64::max);
         let usual = IntegrationParameters::default().normalized_prediction_distance;
-        let mut rapier = Self {
+        Some(Self {
             moving: obstacles
                 .filter_map(|(index, body)| Some((index, body?)))
                 .collect(),
@@ -240,9 +242,7 @@ impl Rapier {
                     .map(|own| (own.restitution, own.friction))
                     .collect(),
             },
-        };
-        rapier.foresee();
-        Some(rapier)
+        })
     }
 
     /// The contacts of the pass just taken.

@@ -80,3 +80,109 @@ pub fn order(steps: &[f64], errors: &[f64]) -> f64 {
     let sxx: f64 = x.iter().map(|x| (x - mx) * (x - mx)).sum();
     sxy / sxx
 }
+
+/// A closed room with all that a world can hold: bodies of several shapes that are steered in
+/// several ways, senses of every kind, laws in scopes, obstacles that move in every way but
+/// away, and everything on record. The bodies never come to rest.
+pub fn circus(dimension: usize) -> WorldSpec {
+    let vector = |x: f64, y: f64, rest: f64| {
+        let mut vector = vec![rest; dimension];
+        (vector[0], vector[1]) = (x, y);
+        vector
+    };
+    let in_box = |x: f64, y: f64, half: f64| {
+        serde_json::json!({ "box": {
+            "min": vector(x - half, y - half, -half), "max": vector(x + half, y + half, half)
+        } })
+    };
+    let rate = match dimension {
+        2 => serde_json::json!(0.7),
+        _ => serde_json::json!([0.2, 0.1, 0.7]),
+    };
+    spec(serde_json::json!({
+        "dimension": dimension,
+        "time": { "step": 0.01, "end": 2.5 },
+        "seed": 3,
+        "physics": { "restitution": 0.9, "friction": 0.2 },
+        "record": {
+            "every": 0.1, "accelerations": true, "beta_agents": true, "edges": true,
+            "net": true, "links": true
+        },
+        "agents": [
+            {
+                "name": "rods", "count": 4, "density": 1.5,
+                "shape": { "capsule": { "half_length": 0.5, "radius": 0.2 } },
+                "heading": { "torque": { "gain": 30, "limit": 4 } },
+                "positions": in_box(-4.0, -4.0, 1.8),
+                "velocities": { "rotating": { "rate": rate } },
+                "sensing": {
+                    "radius": 4, "field_of_view": { "angle": 2.4 }, "delay": 0.05,
+                    "noise": { "position": 0.05, "velocity": 0.1 }, "dropout": 0.2
+                }
+            },
+            {
+                "name": "disks", "count": 6, "radius": 0.3, "restitution": 1, "force_limit": 30,
+                "positions": in_box(4.0, 4.0, 1.8),
+                "velocities": { "ball": { "radius": 3 } },
+                "sensing": { "blocked_by": { "obstacles": true, "bodies": true } }
+            },
+            {
+                "name": "boxes", "count": 3, "top_speed": 4, "force_rate_limit": 500,
+                "shape": { "cuboid": { "half_extents": vector(0.4, 0.25, 0.3) } },
+                "heading": { "velocity": { "turn_rate": 3 } },
+                "positions": in_box(4.0, -4.0, 1.8),
+                "velocities": { "outward": { "speed": 2 } },
+                "sensing": { "cone": { "angle": 2.5, "smooth": true } }
+            }
+        ],
+        "obstacles": [
+            { "shape": { "room": { "half_extents": vector(7.0, 7.0, 7.0) } } },
+            {
+                "name": "wheel", "restitution": 0.5,
+                "shape": { "compound": { "parts": [
+                    { "shape": { "capsule": {
+                        "from": vector(-1.5, 0.0, 0.0), "to": vector(1.5, 0.0, 0.0), "radius": 0.2
+                    } } },
+                    { "shape": { "cuboid": { "half_extents": vector(0.2, 1.5, 0.3) } } }
+                ] } },
+                "motion": { "rotation": { "rate": rate } }
+            },
+            {
+                "name": "pendulum", "shape": { "ball": { "radius": 0.7 } },
+                "position": vector(-4.0, 4.0, 0.0),
+                "motion": { "oscillation": { "amplitude": vector(1.5, 1.0, 0.5), "period": 3.1 } }
+            },
+            {
+                "name": "shuttle",
+                "shape": { "segment": {
+                    "from": vector(-1.0, 0.0, 0.0), "to": vector(1.0, 0.5, 0.0)
+                } },
+                "motion": { "waypoints": {
+                    "points": [vector(0.0, 5.0, 0.0), vector(0.0, 3.0, 0.0)],
+                    "period": 4, "dwell": 0.5, "easing": "smooth"
+                } }
+            }
+        ],
+        "laws": [
+            { "alpha_interaction": { "spacing": 2, "range": 3, "damping": 0 } },
+            { "obstacle_avoidance": {
+                "range": 0.8, "standoff": 0.7, "gain": 2, "gamma": { "spacing": 0.5, "direction": vector(1.0, 0.0, 0.0) }
+            } },
+            { "scope": { "agents": ["disks", "boxes"], "neighbours": ["rods"], "laws": [
+                { "heading_consensus": { "range": 5, "gain": 0.5 } }
+            ] } },
+            { "scope": { "agents": ["rods"], "laws": [
+                { "navigation": {
+                    "destination": vector(0.0, 0.0, 0.0), "feedback": "linear", "steer": "mean",
+                    "position_gain": 0.6, "velocity_gain": 0
+                } }
+            ] } },
+            { "scope": { "agents": ["disks", "boxes"], "laws": [
+                { "navigation": {
+                    "destination": vector(0.0, 0.0, 0.0), "feedback": "linear",
+                    "position_gain": 0.8, "velocity_gain": 0
+                } }
+            ] } }
+        ]
+    }))
+}

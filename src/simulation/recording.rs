@@ -1,0 +1,165 @@
+//! What a simulation says of itself: the header, frames and the summary of its trace.
+
+use super::{Pause, Simulation};
+use crate::dynamics::Snapshot;
+use crate::math::Vector;
+use crate::metric::measure;
+use crate::net::Net;
+use crate::sense::active_obstacles;
+use crate::shape::Obstacle;
+use crate::trace::record::{
+    BetaAgent, Bodies as BodyProperties, FORMAT, Frame, Header, LawAccelerations, ObstaclePose,
+    Outcome, Summary, VERSION,
+};
+use crate::world::spec::Rotation;
+
+impl<const D: usize> Simulation<D> {
+    pub(super) fn header(&self) -> Header {
+        let agents = &self.world.agents;
+        Header {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            program: format!("volary {}", env!("CARGO_PKG_VERSION")),
+            dynamics: "bodies".to_owned(),
+            name: self.world.name.clone(),
+            world: self.world.spec.clone(),
+            bodies: BodyProperties {
+                group: agents.group.clone(),
+                radius: agents.radius.clone(),
+                mass: agents.mass.clone(),
+                force_limit: agents
+                    .force_limit
+                    .iter()
+                    .map(|limit| limit.is_finite().then_some(*limit))
+                    .collect(),
+            },
+        }
+    }
+
+    pub(super) fn frame(&mut self) -> Frame {
+        // Measured whether recorded or not: the summary keeps the smallest gaps.
+        let metrics = self.metrics();
+        keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);
+        keep_least(&mut self.smallest_obstacle_gap, metrics.obstacle_gap);
+        let state = self.bodies.snapshot();
+        let world = &self.world;
+        Frame {
+            step: state.step,
+            time: state.time,
+            positions: lists(state.positions),
+            velocities: lists(state.velocities),
+            rotations: state
+                .rotations
+                .map(|rotations| rotations.iter().map(Rotation::of).collect()),
+            metrics: world.spec.record.metrics.then_some(metrics),
+            accelerations: world.spec.record.accelerations.then(|| {
+                self.flock
+                    .by_law(&self.bodies.state())
+                    .into_iter()
+                    .map(|(law, values)| LawAccelerations {
+                        law,
+                        values: lists(&values),
+                    })
+                    .collect()
+            }),
+            beta_agents: world
+                .beta_range()
+                .filter(|_| world.spec.record.beta_agents)
+                .map(|range| beta_agents(&state, range)),
+            edges: world
+                .alpha_interaction()
+                .filter(|_| world.spec.record.edges)
+                .map(|alpha| Net::new(state.positions, alpha.range).edges().to_vec()),
+            net: (world.spec.record.net)
+                .then(|| self.net_analysis.record(world, &state))
+                .flatten()
+                .map(Box::new),
+            links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
+            obstacles: obstacle_poses(state.obstacles),
+        }
+    }
+
+    pub(super) fn summary(&mut self, pause: Pause) -> Summary {
+        let (outcome, error) = match pause {
+            Pause::Failed(failure) => (Outcome::Failed, Some(failure.to_string())),
+            _ if self.snapshot().step < self.world.steps() => (Outcome::Interrupted, None),
+            _ => (Outcome::Completed, None),
+        };
+        let cuts = self.bodies.cuts();
+        let state = self.bodies.snapshot();
+        let last = measure(&self.world, &state);
+        let (mut agent_gap, mut obstacle_gap) =
+            (self.smallest_agent_gap, self.smallest_obstacle_gap);
+        for gap in [last.agent_gap, self.ledger.smallest_agent_gap()] {
+            keep_least(&mut agent_gap, gap);
+        }
+        for gap in [last.obstacle_gap, self.ledger.smallest_obstacle_gap()] {
+            keep_least(&mut obstacle_gap, gap);
+        }
+        Summary {
+            name: self.world.name.clone(),
+            seed: self.world.spec.seed,
+            outcome,
+            error,
+            agents: self.world.agents.len(),
+            steps: state.step,
+            time: state.time,
+            agent_contacts: self.ledger.agent_contacts().clone(),
+            obstacle_contacts: self.ledger.obstacle_contacts().clone(),
+            force_cuts: cuts.force,
+            rate_cuts: cuts.rate,
+            speed_cuts: cuts.speed,
+            smallest_agent_gap: agent_gap,
+            smallest_obstacle_gap: obstacle_gap,
+            last,
+        }
+    }
+}
+
+fn beta_agents<const D: usize>(state: &Snapshot<'_, D>, range: f64) -> Vec<BetaAgent> {
+    let of_agent = |agent: usize| {
+        active_obstacles(state.obstacles, &state.positions[agent], range).map(move |active| {
+            BetaAgent {
+                agent,
+                obstacle: active.obstacle,
+                part: (state.obstacles[active.obstacle].parts().len() > 1).then_some(active.part),
+                position: list(&active.projection.point),
+                velocity: list(&active.projection.velocity(&state.velocities[agent])),
+                distance: active.projection.distance,
+            }
+        })
+    };
+    (0..state.positions.len()).flat_map(of_agent).collect()
+}
+
+/// Where the obstacles are that move; nothing where none does.
+fn obstacle_poses<const D: usize>(obstacles: &[Obstacle<D>]) -> Option<Vec<ObstaclePose>> {
+    let moving = obstacles.iter().enumerate();
+    let moving = moving.filter(|(_, obstacle)| obstacle.motion().is_some());
+    let poses: Vec<_> = moving
+        .map(|(index, obstacle)| ObstaclePose {
+            obstacle: index,
+            position: list(&obstacle.pose.translation),
+            rotation: match D {
+                2 => Rotation::Angle(obstacle.pose.turn[2]),
+                _ => Rotation::Vector(obstacle.pose.turn.to_vec()),
+            },
+        })
+        .collect();
+    (!poses.is_empty()).then_some(poses)
+}
+
+fn keep_least(least: &mut Option<f64>, value: Option<f64>) {
+    *least = match (*least, value) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    };
+}
+
+fn list<const D: usize>(vector: &Vector<D>) -> Vec<f64> {
+    vector.iter().copied().collect()
+}
+
+fn lists<const D: usize>(vectors: &[Vector<D>]) -> Vec<Vec<f64>> {
+    vectors.iter().map(list).collect()
+}
