@@ -123,7 +123,7 @@ fn agrees<const D: usize>(
         }
         // Moved apart by the depth along the right direction they just touch.
         let parted = |along: Vector<D>| {
-            let moved = &there.translation + along * -gap;
+            let moved = there.translation + along * -gap;
             one.gap(&at, &other, &Pose::new(moved, there.turn))
         };
         let best = directions::<D>(count)
