@@ -110,7 +110,7 @@ impl<const D: usize> Simulation<D> {
     /// and contacts as they come, the summary last. After each step `watch` sees the state
     /// and may stop the run.
     ///
-    /// A state that cannot go on ends the run with [`Outcome::Failed`].
+    /// A state that cannot go on ends the run with [`Outcome::Failed`](crate::trace::record::Outcome::Failed).
     ///
     /// # Errors
     /// Those of `record`, which end the run at once.

@@ -88,7 +88,7 @@ fn body<const D: usize>(shot: usize, shape: &Value, x: f64, speed: f64) -> Value
         "velocities": { "common": velocity },
         "rotation": if D == 2 { json!(turn[2]) } else { json!(turn) },
         // Every other one turns to its velocity as fast as the engine turns anything.
-        "heading": if shot % 2 == 0 { json!("free") } else { json!({ "velocity": {} }) }
+        "heading": if shot.is_multiple_of(2) { json!("free") } else { json!({ "velocity": {} }) }
     })
 }
 

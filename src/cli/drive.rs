@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use clap::Args;
 use volary::checkpoint::{Checkpoint, Recording};
 use volary::dynamics::Snapshot;
 use volary::simulation::{Pause, Simulation};
@@ -160,14 +161,29 @@ fn recorder(
     }
 }
 
-/// Does something on this many threads, or on all cores.
-pub(super) fn on_threads(
+/// How many threads a command may use.
+#[derive(Debug, Args)]
+pub(super) struct Threads {
+    /// Number of threads, all cores when absent; the result is the same on any number
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u16).range(1..=1024),
+        allow_negative_numbers = true
+    )]
     threads: Option<u16>,
-    work: impl FnOnce() -> Result<(), Refusal> + Send,
-) -> Result<(), Refusal> {
-    let threads = usize::from(threads.unwrap_or(0));
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.map_err(Refusal::failed)?.install(work)
+}
+
+impl Threads {
+    /// Does something on them.
+    pub(super) fn install(
+        &self,
+        work: impl FnOnce() -> Result<(), Refusal> + Send,
+    ) -> Result<(), Refusal> {
+        let threads = usize::from(self.threads.unwrap_or(0));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.map_err(Refusal::failed)?.install(work)
+    }
 }
 
 /// A flag that the first Ctrl-C raises; the second ends the program at once.

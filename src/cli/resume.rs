@@ -9,7 +9,7 @@ use volary::dynamics::Engine;
 use volary::shape::In;
 use volary::trace::{TraceWriter, check_summary};
 
-use super::drive::{Drive, Keeper, on_threads, stop_on_interrupt};
+use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
 use super::{Refusal, files, print, summary};
 
 const EXAMPLES: &str = "\
@@ -33,14 +33,8 @@ pub(super) struct ResumeArguments {
     /// Write the summary to this file, instead of where it was to go
     #[arg(long, value_name = "FILE")]
     summary: Option<PathBuf>,
-    /// Number of threads, all cores when absent; the result is the same on any number
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u16).range(1..=1024),
-        allow_negative_numbers = true
-    )]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Overwrite a file that exists with the summary, where --summary names one
     #[arg(long)]
     force: bool,
@@ -62,10 +56,12 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<(), Refusal> {
     if recording.complete() {
         return completed(arguments, &checkpoint);
     }
-    on_threads(arguments.threads, || match checkpoint.world().dimension {
-        2 => resume_world::<2>(arguments, &checkpoint, recording),
-        _ => resume_world::<3>(arguments, &checkpoint, recording),
-    })
+    arguments
+        .threads
+        .install(|| match checkpoint.world().dimension {
+            2 => resume_world::<2>(arguments, &checkpoint, recording),
+            _ => resume_world::<3>(arguments, &checkpoint, recording),
+        })
 }
 
 fn completed(arguments: &ResumeArguments, checkpoint: &Checkpoint) -> Result<(), Refusal> {

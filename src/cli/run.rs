@@ -11,7 +11,7 @@ use volary::trace::TraceWriter;
 use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
-use super::drive::{Drive, Keeper, on_threads, stop_on_interrupt};
+use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
 use super::{Refusal, files, load};
 
 const EXAMPLES: &str = "\
@@ -60,14 +60,8 @@ pub(super) struct RunArguments {
         requires = "checkpoint"
     )]
     every: Option<f64>,
-    /// Number of threads, all cores when absent; the result is the same on any number
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u16).range(1..=1024),
-        allow_negative_numbers = true
-    )]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Overwrite a trace, summary or checkpoint that exists
     #[arg(long)]
     pub(super) force: bool,
@@ -110,7 +104,7 @@ fn time(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Refusal> {
     files::check(arguments)?;
     let world = load::load(&arguments.world, arguments.overrides()?)?;
-    on_threads(arguments.threads, || match world {
+    arguments.threads.install(|| match world {
         AnyWorld::Plane(world) => run_world(arguments, world),
         AnyWorld::Space(world) => run_world(arguments, world),
     })

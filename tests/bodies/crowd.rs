@@ -148,9 +148,10 @@ fn bodies_start_along_their_velocities_unless_told_otherwise() {
 
 #[test]
 fn what_is_not_a_sound_number_is_refused() {
+    type Field = fn(&mut WorldSpec) -> &mut Option<f64>;
     let right = spec(off_center(2));
     assert_eq!(check::problems(&right), []);
-    let fields: [(&str, fn(&mut WorldSpec) -> &mut Option<f64>); 6] = [
+    let fields: [(&str, Field); 6] = [
         ("density", |world| &mut world.agents[0].density),
         ("restitution", |world| &mut world.agents[0].restitution),
         ("friction", |world| &mut world.agents[0].friction),

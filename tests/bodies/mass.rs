@@ -52,11 +52,8 @@ fn density_gives_masses_and_inertias_of_the_shapes() {
     let space = world::<3>(masses(3, &solid));
     let (bar, ends) = (PI * 0.16 * 3.0, 4.0 / 3.0 * PI * 0.064);
     let volumes = [4.0 / 3.0 * PI * 0.343, bar + ends, 8.0, 5.0];
-    for k in 0..4 {
-        assert!(
-            (space.agents.mass[k] - 3.0 * volumes[k]).abs() < 1e-9,
-            "{k}"
-        );
+    for (mass, volume) in space.agents.mass.iter().zip(volumes) {
+        assert!((mass - 3.0 * volume).abs() < 1e-9, "{mass}");
     }
     let diagonal = |k: usize| space.solids[k].inertia().diagonal();
     let sphere = Vector::<3>::repeat(0.4 * volumes[0] * 0.49);
