@@ -163,3 +163,77 @@ proptest! {
         agrees::<3>(kinds, along.into(), turns, 1500, 0.12);
     }
 }
+
+/// Two rods along one line, their centres this far apart.
+fn in_line<const D: usize>(apart: f64) -> f64
+where
+    In<D>: Geometry<D>,
+{
+    let rod = Shape::Capsule {
+        from: axis::<D>(0) * -0.5,
+        to: axis::<D>(0) * 0.5,
+        radius: 0.1,
+    };
+    let rod = Solid::new(rod).expect("a solid");
+    let at = |x: f64| Pose::new(axis::<D>(0) * x, [0.0; 3]);
+    rod.gap(&at(0.0), &rod, &at(apart))
+}
+
+#[test]
+fn rods_in_line_overlap_by_their_radii_at_least() {
+    for apart in [0.0, 0.05, 0.1, 0.25, 0.3, 0.5, 0.75, 0.9, 1.0] {
+        for gap in [in_line::<2>(apart), in_line::<3>(apart)] {
+            assert!((gap + 0.2).abs() < 1e-9, "{apart}: {gap}");
+        }
+    }
+    for gap in [in_line::<2>(1.5), in_line::<3>(1.5)] {
+        assert!((gap - 0.3).abs() < 1e-9, "{gap}");
+    }
+}
+
+#[test]
+fn bodies_that_stand_alike_in_each_other_overlap() {
+    let alike = |shape: Shape<3>| {
+        let solid = Solid::new(shape).expect("a solid");
+        let at = Pose::<3>::new(Vector::zeros(), [0.0; 3]);
+        solid.gap(&at, &solid, &at)
+    };
+    for shape in shapes::<3>() {
+        let gap = alike(shape.clone());
+        assert!(gap < -0.1, "{shape:?}: {gap}");
+    }
+    let flat = |shape: Shape<2>| {
+        let solid = Solid::new(shape).expect("a solid");
+        let at = Pose::<2>::new(Vector::zeros(), [0.0; 3]);
+        solid.gap(&at, &solid, &at)
+    };
+    for shape in shapes::<2>() {
+        let gap = flat(shape.clone());
+        assert!(gap < -0.1, "{shape:?}: {gap}");
+    }
+}
+
+#[test]
+fn what_lies_in_a_wall_overlaps_it() {
+    let rod = Shape::Capsule {
+        from: axis::<3>(0) * -0.5,
+        to: axis::<3>(0) * 0.5,
+        radius: 0.1,
+    };
+    let rod = Solid::new(rod).expect("a solid");
+    let far = [[-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [0.0, 9.0, 0.0]];
+    let here = || Pose::<3>::new(Vector::zeros(), [0.0; 3]);
+    for wall in [
+        Shape::Triangle {
+            points: far.map(Vector::<3>::from),
+        },
+        Shape::Segment {
+            from: axis::<3>(0) * -3.0,
+            to: axis::<3>(0) * 3.0,
+        },
+    ] {
+        let wall = Obstacle::new("wall".into(), wall, here()).expect("a wall");
+        let gap = wall.gap(&rod, &here());
+        assert!((gap + 0.1).abs() < 1e-9, "{gap}");
+    }
+}

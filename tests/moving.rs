@@ -289,3 +289,82 @@ fn rooms_hold_and_may_move() {
         assert_eq!(summary.obstacle_contacts.pushed > 0, !motion.is_null());
     }
 }
+
+#[test]
+fn a_fast_wall_passes_through_nothing() {
+    // A ball, a rod and a box broadside on, at rest, and walls at up to 50 widths a second.
+    let wall = |speed: f64, x: f64| {
+        json!({
+            "shape": { "segment": { "from": [0, -5], "to": [0, 5] } },
+            "position": [x, 0], "motion": { "drift": { "velocity": [speed, 0] } }
+        })
+    };
+    let shapes = [
+        json!({ "ball": { "radius": 0.2 } }),
+        json!({ "capsule": { "half_length": 0.3, "radius": 0.1 } }),
+        json!({ "cuboid": { "half_extents": [0.4, 0.1] } }),
+    ];
+    for (kind, shape) in shapes.iter().enumerate() {
+        for share in 0..10 {
+            for speed in [5.0, 20.0, 40.0] {
+                let start = -1.0 - 0.037 * f64::from(share);
+                let mut group = json!({
+                    "shape": shape, "positions": { "explicit": [[0, 0]] }
+                });
+                if kind > 0 {
+                    group["heading"] = json!("free");
+                    group["rotation"] = json!(1.5707963267948966);
+                }
+                let (contacts, summary, frames) = run::<2>(json!({
+                    "dimension": 2, "time": { "end": 0.5 }, "record": { "every": 0.01 },
+                    "agents": [group], "obstacles": [wall(speed, start)]
+                }));
+                let what = format!("{shape} at {speed} from {start}");
+                for frame in &frames {
+                    let ahead = frame.positions[0][0] - (start + speed * frame.time);
+                    assert!(ahead > 0.0, "{what}: passed at {}", frame.time);
+                }
+                assert!(
+                    !contacts.is_empty() && contacts[0].push_speed > 0.0,
+                    "{what}"
+                );
+                let least = summary.smallest_obstacle_gap.expect("there is a wall");
+                assert!(least > -0.05, "{what}: overlap {least}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_arm_pushes_with_the_speed_that_it_has_where_it_touches() {
+    // The rod's right end is hit by the arm, 1.4 from its pivot; the rod's middle is beyond.
+    let (contacts, summary, _) = run::<2>(json!({
+        "dimension": 2, "time": { "end": 0.5 }, "record": { "every": 0.1 },
+        "agents": [{
+            "shape": { "capsule": { "half_length": 2, "radius": 0.1 } },
+            "heading": "free", "rotation": 0,
+            "positions": { "explicit": [[-0.6, 0.25]] }
+        }],
+        "obstacles": [{
+            "shape": { "cuboid": { "half_extents": [6, 0.1] } },
+            "motion": { "rotation": { "rate": 1 } }
+        }]
+    }));
+    assert_eq!(summary.obstacle_contacts.pushed, 1);
+    assert!((0.9..2.0).contains(&contacts[0].push_speed), "{contacts:?}");
+}
+
+#[test]
+fn friction_of_an_obstacle_alone_makes_balls_roll() {
+    let (_, _, frames) = run::<2>(json!({
+        "dimension": 2, "time": { "end": 4 }, "record": { "every": 1 },
+        "physics": { "gravity": [0, -9.81] },
+        "agents": [{
+            "radius": 0.5, "positions": { "explicit": [[0, 0.5]] }, "velocities": { "common": [5, 0] }
+        }],
+        "obstacles": [{ "shape": { "half_space": { "normal": [0, 1] } }, "friction": 0.3 }]
+    }));
+    // Sliding turns into rolling at two thirds of the speed, for a disk.
+    let speed = frames.last().expect("a frame").velocities[0][0];
+    assert!((speed - 10.0 / 3.0).abs() < 0.02, "{speed}");
+}

@@ -91,6 +91,8 @@ pub struct Touch<const D: usize> {
     pub push_speed: f64,
     /// Unit normal, pointing from the agent to what it touched.
     pub normal: Vector<D>,
+    /// The point of what it touched that is deepest in the agent, where it is after the step.
+    pub point: Vector<D>,
     /// Position of the agent at the start of the step.
     pub position: Vector<D>,
 }

@@ -79,8 +79,9 @@ fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
 
 /// Whether any surface of a world has friction.
 fn has_friction(world: &World<D>) -> bool {
-    let groups = world.spec.agents.iter();
-    world.spec.physics.friction > 0.0 || groups.filter_map(|it| it.friction).any(|it| it > 0.0)
+    let groups = world.spec.agents.iter().filter_map(|it| it.friction);
+    let obstacles = world.spec.obstacles.iter().filter_map(|it| it.friction);
+    world.spec.physics.friction > 0.0 || groups.chain(obstacles).any(|it| it > 0.0)
 }
 
 /// The agents and obstacles of a world in rapier.
@@ -170,6 +171,8 @@ impl Rapier {
                 let body = RigidBodyBuilder::kinematic_velocity_based()
                     .pose(geometry::pose(&obstacle.pose))
                     .can_sleep(false)
+                    // Its own travel is foreseen as that of the agents.
+                    .soft_ccd_prediction(f64::MAX)
                     .user_data((agents.len() + index) as u128);
                 engine.bodies.insert(body)
             });
@@ -280,12 +283,14 @@ impl Rapier {
         let mut gap = f64::INFINITY;
         let mut impulse = 0.0;
         let mut normal = RapierVector::ZERO;
+        let mut places = [RapierVector::ZERO; 2];
         for manifold in pair.manifolds() {
             for point in &manifold.points {
                 impulse += point.data.impulse;
                 if point.dist < gap {
                     gap = point.dist;
                     normal = manifold.data.normal;
+                    places = [point.local_p1, point.local_p2];
                 }
             }
         }
@@ -294,10 +299,16 @@ impl Rapier {
             return None;
         }
         let (first, second) = (self.owner(pair.collider1), self.owner(pair.collider2));
-        let (agent, touched, normal) = match (first, second) {
-            (Touched::Agent(a), Touched::Agent(b)) if b < a => (b, first, -normal),
-            (Touched::Agent(a), _) => (a, second, normal),
-            (Touched::Obstacle(_), Touched::Agent(b)) => (b, first, -normal),
+        let place = |collider: ColliderHandle, k: usize| {
+            let collider = &self.world.colliders[collider];
+            collider.position().transform_point(places[k])
+        };
+        let on_first = || (first, -normal, place(pair.collider1, 0));
+        let on_second = || (second, normal, place(pair.collider2, 1));
+        let (agent, (touched, normal, point)) = match (first, second) {
+            (Touched::Agent(a), Touched::Agent(b)) if b < a => (b, on_first()),
+            (Touched::Agent(a), _) => (a, on_second()),
+            (Touched::Obstacle(_), Touched::Agent(b)) => (b, on_first()),
             (Touched::Obstacle(_), Touched::Obstacle(_)) => return None,
         };
         Some(Touch {
@@ -308,6 +319,7 @@ impl Rapier {
             approach_speed: 0.0,
             push_speed: 0.0,
             normal: normal.to_array().into(),
+            point: point.to_array().into(),
             position: Vector::zeros(),
         })
     }

@@ -3,43 +3,60 @@
 use crate::dynamics::Snapshot;
 use crate::math::Vector;
 use crate::sense::Cells;
-use crate::shape::{Pose, Solid};
+use crate::shape::{Obstacle, Pose, Solid};
 use crate::world::World;
 
 /// The smallest gap between the surfaces of two agents, negative where they overlap (by
 /// the depth of penetration); `None` for fewer than two.
 pub fn agent_gap<const D: usize>(world: &World<D>, state: &Snapshot<'_, D>) -> Option<f64> {
-    let radii = &world.agents.radius;
-    match poses(state) {
-        None => smallest_gap(state.positions, radii, |_, _, between_balls| between_balls),
-        Some(pose) => smallest_gap(state.positions, radii, |i, j, between_balls| {
-            let (one, other) = (solid(world, i), solid(world, j));
-            match one.is_ball() && other.is_ball() {
-                true => between_balls,
-                false => one.gap(&pose(i), other, &pose(j)),
-            }
-        }),
-    }
+    smallest_gap(
+        state.positions,
+        &world.agents.radius,
+        pair_gap(world, state),
+    )
 }
 
 /// The smallest gap between the surfaces of an agent and an obstacle, negative where
 /// they overlap (by the depth of penetration); `None` without obstacles.
 pub fn obstacle_gap<const D: usize>(world: &World<D>, state: &Snapshot<'_, D>) -> Option<f64> {
-    let pose = poses(state);
+    let gap = gap_to(world, state);
     let mut smallest = f64::INFINITY;
     for (i, (position, radius)) in state.positions.iter().zip(&world.agents.radius).enumerate() {
         for obstacle in state.obstacles {
-            if !obstacle.may_reach(position, smallest + radius) {
-                continue;
+            if obstacle.may_reach(position, smallest + radius) {
+                smallest = smallest.min(gap(i, obstacle));
             }
-            let gap = match &pose {
-                Some(pose) if !solid(world, i).is_ball() => obstacle.gap(solid(world, i), &pose(i)),
-                _ => obstacle.project(position).distance - radius,
-            };
-            smallest = smallest.min(gap);
         }
     }
     smallest.is_finite().then_some(smallest)
+}
+
+/// The gap between two bodies, by their indices and the gap between the balls that hold them,
+/// which is the answer for balls.
+pub(super) fn pair_gap<'a, const D: usize>(
+    world: &'a World<D>,
+    state: &Snapshot<'a, D>,
+) -> impl Fn(usize, usize, f64) -> f64 + 'a {
+    let pose = poses(state);
+    move |i, j, between_balls| {
+        let (one, other) = (solid(world, i), solid(world, j));
+        match &pose {
+            Some(pose) if !(one.is_ball() && other.is_ball()) => one.gap(&pose(i), other, &pose(j)),
+            _ => between_balls,
+        }
+    }
+}
+
+/// The gap between a body, by its index, and an obstacle.
+pub(super) fn gap_to<'a, const D: usize>(
+    world: &'a World<D>,
+    state: &Snapshot<'a, D>,
+) -> impl Fn(usize, &Obstacle<D>) -> f64 + 'a {
+    let (pose, positions) = (poses(state), state.positions);
+    move |i, obstacle| match &pose {
+        Some(pose) if !solid(world, i).is_ball() => obstacle.gap(solid(world, i), &pose(i)),
+        _ => obstacle.project(&positions[i]).distance - world.agents.radius[i],
+    }
 }
 
 fn solid<const D: usize>(world: &World<D>, i: usize) -> &Solid<D> {

@@ -154,6 +154,7 @@ mod tests {
             approach_speed: 2.0,
             push_speed: 0.0,
             normal: Vector::<2>::new(1.0, 0.0),
+            point: Vector::<2>::new(3.5, 4.0),
             position: Vector::<2>::new(3.0, 4.0),
         }
     }

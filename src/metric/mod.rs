@@ -38,8 +38,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
     let errors: Vec<Vector<D>> = (snapshot.velocities.iter().zip(&world.agents.group))
         .map(|(velocity, &group)| velocity - targets[group])
         .collect();
-    let radii = &world.agents.radius;
-    let collisions = collision_ratio(snapshot.positions, radii);
+    let collisions = collision_ratio(world, snapshot);
     Metrics {
         components: clusters.as_ref().map(Components::count),
         density: clusters.as_ref().map(Components::density),
@@ -71,7 +70,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         rotation: Some(rotation(snapshot.positions, snapshot.velocities)),
         collision_ratio: collisions,
         safety: collisions.map(|ratio| 1.0 - ratio),
-        obstacle_safety: obstacle_safety(snapshot.positions, radii, snapshot.obstacles),
+        obstacle_safety: obstacle_safety(world, snapshot),
     }
 }
 

@@ -56,6 +56,7 @@ impl Geometry<D> for In<D> {
         Some(Box::new(ParryQuery {
             solid,
             core,
+            thin: shape.is_thin() || matches!(shape, Shape::Ball { .. } | Shape::Capsule { .. }),
             radius,
         }))
     }
@@ -113,6 +114,8 @@ impl Tree<D> for ParryTree {
 struct ParryQuery {
     solid: SharedShape,
     core: SharedShape,
+    /// Whether the core is a point, a line or a facet.
+    thin: bool,
     /// Radius of the rounding.
     radius: f64,
 }
@@ -186,11 +189,28 @@ impl Query<D> for ParryQuery {
         if cores > 0.0 {
             return cores - self.radius - other.radius;
         }
-        let contact = query::contact(&at, &*self.solid, &other_at, &*other.solid, 0.0);
-        contact
-            .ok()
-            .flatten()
-            .map_or(0.0, |found| found.dist.min(0.0))
+        let radii = self.radius + other.radius;
+        if self.thin && other.thin {
+            // Lines and facets that cross come apart by the sum of their radii at least.
+            return -radii;
+        }
+        // Where sides are parallel to the last digit the query may find nothing; it does
+        // a hair beside.
+        let size = self.solid.compute_local_aabb().half_extents().length();
+        let nudges = (0..=D).map(|k| match k.checked_sub(1) {
+            None => ParryVector::ZERO,
+            Some(axis) => vector(&crate::math::axis(axis)) * (1e-7 * size.min(1e30)),
+        });
+        let depth = |nudge: ParryVector| {
+            let there = ParryPose {
+                translation: other_at.translation + nudge,
+                ..other_at
+            };
+            let found = query::contact(&at, &*self.solid, &there, &*other.solid, 0.0);
+            found.ok().flatten().map(|found| found.dist)
+        };
+        let found = nudges.filter_map(depth).find(|dist| *dist < 0.0);
+        found.unwrap_or(-radii)
     }
 
     fn volume_and_inertia(&self) -> (f64, Matrix<3>) {

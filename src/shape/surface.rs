@@ -33,11 +33,20 @@ pub fn mesh<const D: usize>(vertices: &[Vector<D>], triangles: &[[usize; 3]]) ->
     triangles.iter().map(shape).collect()
 }
 
-/// The outline of a mesh in the plane: the edges that belong to one triangle only.
+/// The outline of a mesh in the plane: the edges that belong to one triangle only. Vertices at
+/// one place are one vertex, though many programs write one for each triangle.
 pub fn outline<const D: usize>(vertices: &[Vector<D>], triangles: &[[usize; 3]]) -> Vec<Shape<D>> {
+    let mut first: BTreeMap<[u64; D], usize> = BTreeMap::new();
+    // Adding zero makes 0 of −0.
+    let key = |at: &Vector<D>| std::array::from_fn(|k| (at[k] + 0.0).to_bits());
+    let one = vertices.iter().enumerate();
+    let same: Vec<usize> = one
+        .map(|(i, at)| *first.entry(key(at)).or_insert(i))
+        .collect();
     let mut owners: BTreeMap<[usize; 2], usize> = BTreeMap::new();
-    for [a, b, c] in triangles {
-        for [from, to] in [[*a, *b], [*b, *c], [*c, *a]] {
+    for corners in triangles {
+        let [a, b, c] = corners.map(|corner| same[corner]);
+        for [from, to] in [[a, b], [b, c], [c, a]] {
             *owners.entry([from.min(to), from.max(to)]).or_default() += 1;
         }
     }

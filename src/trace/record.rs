@@ -193,14 +193,14 @@ pub struct Metrics {
     /// Group rotation: the same of unit vectors, each agent counting alike, 0 to 1; Couzin
     /// et al. (2002). Agents at rest or at the mean position count as zero.
     pub rotation: Option<f64>,
-    /// Collision ratio: share of pairs of agents closer than the sum of their radii;
+    /// Collision ratio: share of pairs of agents whose bodies overlap as they stand;
     /// Vásárhelyi et al. (2018). Positions alone: contacts are recorded apart. Null for
     /// one agent.
     pub collision_ratio: Option<f64>,
     /// Safety: 1 − the collision ratio; SwarmLab (Soria et al. 2020).
     pub safety: Option<f64>,
-    /// Safety from obstacles: 1 − the share of pairs of an agent and an obstacle that are
-    /// closer than the radius. Null without obstacles.
+    /// Safety from obstacles: 1 − the share of pairs of an agent and an obstacle that
+    /// overlap. Null without obstacles.
     pub obstacle_safety: Option<f64>,
 }
 

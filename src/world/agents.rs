@@ -174,25 +174,31 @@ fn shape<const D: usize>(spec: &BodyShapeSpec) -> Shape<D> {
     }
 }
 
-/// The rotation that takes the first axis to the unit vector `heading` the shortest way; none
-/// where it is zero. With e the first axis and c = e·heading it is I + K + K²/(1 + c),
-/// K = heading eᵀ − e headingᵀ; without trigonometric functions, which differ between platforms.
+/// A rotation that takes the first axis to the unit vector `heading`; none where it is zero. It
+/// goes the shortest way, but for headings backwards, which turn by half a turn in the plane
+/// of the first two axes before: near the opposite direction the shortest way is ill-defined.
 fn along<const D: usize>(heading: &Vector<D>) -> Matrix<D> {
     let e: Vector<D> = axis(0);
-    let c = heading.dot(&e);
     if heading.norm_squared() == 0.0 {
         return Matrix::identity();
     }
-    if c < -1.0 + 1e-12 {
-        // Half a turn in the plane of the first two axes.
-        return Matrix::from_fn(|i, j| match (i == j, i < 2) {
-            (false, _) => 0.0,
-            (true, true) => -1.0,
-            (true, false) => 1.0,
-        });
+    if heading.dot(&e) >= 0.0 {
+        return shortest(&e, heading);
     }
-    let k = heading * e.transpose() - e * heading.transpose();
-    Matrix::identity() + k + k * k / (1.0 + c)
+    let half_turn = Matrix::from_fn(|i, j| match (i == j, i < 2) {
+        (false, _) => 0.0,
+        (true, true) => -1.0,
+        (true, false) => 1.0,
+    });
+    shortest(&-e, heading) * half_turn
+}
+
+/// The shortest rotation of one unit vector to another not opposite to it. With c = from·to it
+/// is I + K + K²/(1 + c), K = to fromᵀ − from toᵀ; without trigonometric functions, which
+/// differ between platforms.
+fn shortest<const D: usize>(from: &Vector<D>, to: &Vector<D>) -> Matrix<D> {
+    let k = to * from.transpose() - from * to.transpose();
+    Matrix::identity() + k + k * k / (1.0 + from.dot(to))
 }
 
 #[cfg(test)]

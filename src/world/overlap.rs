@@ -84,15 +84,23 @@ pub(super) fn overlaps<const D: usize>(
     found.into_iter().map(problem).collect()
 }
 
-/// The pairs of agents whose balls overlap, by a sweep along the first axis; for each agent
+/// The pairs of agents whose balls overlap, by a sweep along an axis; for each agent
 /// in the order of the others.
 fn near_pairs<const D: usize>(agents: &Agents<D>) -> Vec<(usize, usize)> {
-    let start = |i: &usize| agents.positions[*i][0] - agents.radius[*i];
+    // Along the axis over which they are spread most, few stand side by side.
+    let spread = |k: usize| {
+        let places = agents.positions.iter().map(|at| at[k]);
+        places.clone().fold(f64::MIN, f64::max) - places.fold(f64::MAX, f64::min)
+    };
+    let along = (0..D)
+        .max_by(|a, b| spread(*a).total_cmp(&spread(*b)))
+        .unwrap_or(0);
+    let start = |i: &usize| agents.positions[*i][along] - agents.radius[*i];
     let mut order: Vec<usize> = (0..agents.len()).collect();
     order.sort_by(|a, b| start(a).total_cmp(&start(b)).then(a.cmp(b)));
     let mut pairs = Vec::new();
     for (rank, &a) in order.iter().enumerate() {
-        let end = agents.positions[a][0] + agents.radius[a];
+        let end = agents.positions[a][along] + agents.radius[a];
         let near = order[rank + 1..].iter().take_while(|b| start(b) <= end);
         for &b in near {
             let apart = (agents.positions[a] - agents.positions[b]).norm();

@@ -7,6 +7,7 @@ use jsonschema::paths::LocationSegment;
 use jsonschema::{ValidationError, Validator};
 use serde_json::Value;
 
+use super::check::LARGEST;
 use super::describe::{SCHEMA, alternatives, fields, fits, form, name, part, range};
 use super::path::{Path, Step};
 use super::problem::Problem;
@@ -23,7 +24,38 @@ pub fn problems(world: &Value) -> Vec<Problem> {
     for error in VALIDATOR.iter_errors(world) {
         explain(&error, &mut problems);
     }
+    let mut large = Vec::new();
+    too_large(world, String::new(), &mut large);
+    large.retain(|new| problems.iter().all(|known| known.path != new.path));
+    problems.extend(large);
     problems
+}
+
+/// Numbers of fields whose squares and products would not stay finite. Those in lists are
+/// looked at where it is known what the lists are.
+fn too_large(value: &Value, path: String, problems: &mut Vec<Problem>) {
+    match value {
+        Value::Object(fields) => {
+            for (name, field) in fields {
+                let path = match path.is_empty() {
+                    true => name.clone(),
+                    false => format!("{path}.{name}"),
+                };
+                if field.as_f64().is_some_and(|x| x.abs() > LARGEST) {
+                    let problem = Problem::new(path, "is too large to compute with");
+                    problems.push(problem.allowed("-1e100 to 1e100"));
+                } else {
+                    too_large(field, path, problems);
+                }
+            }
+        }
+        Value::Array(items) => {
+            for (index, item) in items.iter().enumerate() {
+                too_large(item, format!("{path}[{index}]"), problems);
+            }
+        }
+        _ => {}
+    }
 }
 
 /// Adds what one error of the validator means.

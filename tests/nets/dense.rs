@@ -44,7 +44,9 @@ pub fn bump(z: f64) -> f64 {
 }
 
 fn angle<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
-    (a.dot(b) / (a.norm() * b.norm())).clamp(-1.0, 1.0).acos()
+    // Unlike the arc cosine, good to the last digits at small angles as well.
+    let (a, b) = (a.normalize(), b.normalize());
+    2.0 * (a - b).norm().atan2((a + b).norm())
 }
 
 fn check_matrix(found: &Adjacency, expected: &Dense) {

@@ -30,7 +30,7 @@ pub(super) fn set_speeds<const D: usize>(
         Touched::Agent(other) => velocities[other],
         Touched::Obstacle(other) => match obstacles[other].twist() {
             Some(twist) => {
-                let velocity = twist.at(&obstacles[other].project(&touch.position).point);
+                let velocity = twist.at(&touch.point);
                 touch.push_speed = (-velocity.dot(&touch.normal)).max(0.0);
                 velocity
             }

@@ -90,8 +90,8 @@ pub fn size(group: &GroupSpec) -> Option<usize> {
     start::positions(group).or(group.count)
 }
 
-/// Largest size of a number in a vector.
-const LARGEST: f64 = 1e100;
+/// Largest size of a number.
+pub const LARGEST: f64 = 1e100;
 
 struct Check {
     dimension: usize,

@@ -5,6 +5,13 @@ use crate::world::problem::Problem;
 use crate::world::spec::{Heights, MotionSpec, ObstacleSpec, Rotation, ShapeSpec};
 use crate::world::words::number;
 
+/// Steps that the shortest oscillation takes; a shorter one would look like another motion.
+const LEAST_STEPS: f64 = 4.0;
+
+/// The largest turn of an obstacle in a step, in radians: contacts must be foreseen as far as
+/// its ends swing.
+const LARGEST_TURN: f64 = 0.5;
+
 impl Check {
     /// Checks an obstacle.
     pub(super) fn obstacle(&mut self, path: &str, obstacle: &ObstacleSpec) {
@@ -76,11 +83,25 @@ impl Check {
                 self.vector(&format!("{path}.amplitude"), amplitude);
                 self.computable(&format!("{path}.phase"), phase.abs());
                 self.computable(&format!("{path}.period"), largest(amplitude) / period);
+                if *period < LEAST_STEPS * self.step {
+                    let least = number(LEAST_STEPS * self.step);
+                    let what = format!("must be at least {least}, a few steps");
+                    self.add(format!("{path}.period"), what);
+                }
             }
             MotionSpec::Rotation { about, rate } => {
                 self.optional_vector(&format!("{path}.rotation.about"), about);
                 let unit = ["rate", "radians per time"];
-                self.rotation(&format!("{path}.rotation.rate"), rate, unit);
+                let path = format!("{path}.rotation.rate");
+                self.rotation(&path, rate, unit);
+                let turn = rate.turn().iter().map(|x| x * x).sum::<f64>().sqrt() * self.step;
+                if turn > LARGEST_TURN && turn.is_finite() {
+                    let most = number(LARGEST_TURN / self.step);
+                    let what = format!("turns it by {} radians in a step", number(turn));
+                    let problem = Problem::new(path, what);
+                    self.problems
+                        .push(problem.allowed(format!("at most {most} per time at this step")));
+                }
             }
             MotionSpec::Waypoints {
                 points,

@@ -20,7 +20,7 @@ pub struct SensingSpec {
     /// for all, or a list with one for each agent. Laws act on agents within this radius
     /// and their own range; absent means their range alone.
     pub radius: Option<PerAgent>,
-    /// See only what lies ahead.
+    /// See only what lies ahead. A ball that has never moved heads along the first axis.
     pub field_of_view: Option<FieldOfViewSpec>,
     /// See only agents with a similar heading.
     pub cone: Option<ConeSpec>,
@@ -77,7 +77,8 @@ pub struct ConeSpec {
 pub struct BlockedBySpec {
     /// Obstacles. An agent whose centre is inside one neither sees nor is seen.
     pub obstacles: bool,
-    /// The bodies of third agents, where these are seen: `delay` ago.
+    /// The bodies of third agents, where these are seen: `delay` ago. One that is not round
+    /// counts as the ball that holds it.
     pub bodies: bool,
 }
 
