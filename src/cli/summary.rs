@@ -102,14 +102,18 @@ fn contacts(count: &ContactCount) -> String {
     if count.episodes == 0 {
         return "none".to_owned();
     }
-    format!(
+    let mut text = format!(
         "{} ({}); largest impulse {}, deepest penetration {}, approach up to {}",
         count.episodes,
         plural(count.pairs, "pair"),
         number(count.largest_impulse),
         number(count.deepest_penetration),
         number(count.highest_approach_speed)
-    )
+    );
+    if count.pushed > 0 {
+        let _ = write!(text, "; pushed in {}", count.pushed);
+    }
+    text
 }
 
 /// A time without the noise in its last digits.

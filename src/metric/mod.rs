@@ -35,9 +35,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
     let targets: Vec<Vector<D>> = (0..world.spec.agents.len())
         .map(|group| world.navigation_velocity_of(group).unwrap_or(center))
         .collect();
-    let errors: Vec<Vector<D>> = (snapshot.velocities.iter().zip(&world.agents.group))
-        .map(|(velocity, &group)| velocity - targets[group])
-        .collect();
+    let target_of = world.agents.group.iter().map(|&group| targets[group]);
     let collisions = collision_ratio(world, snapshot);
     Metrics {
         components: clusters.as_ref().map(Components::count),
@@ -50,7 +48,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
             })
             .and_then(computable),
         polarization: polarization(snapshot.velocities),
-        velocity_mismatch: velocity_mismatch(&errors, &Vector::zeros()),
+        velocity_mismatch: velocity_mismatch(snapshot.velocities, target_of),
         agent_gap: agent_gap(world, snapshot),
         obstacle_gap: obstacle_gap(world, snapshot),
         position_diameter: diameter(snapshot.positions),

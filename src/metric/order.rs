@@ -8,9 +8,13 @@ pub fn polarization<const D: usize>(velocities: &[Vector<D>]) -> f64 {
     mean(&headings).norm()
 }
 
-/// Root mean square of |v_i − target|.
-pub fn velocity_mismatch<const D: usize>(velocities: &[Vector<D>], target: &Vector<D>) -> f64 {
-    let squares: f64 = velocities.iter().map(|v| (v - target).norm_squared()).sum();
+/// Root mean square of |v_i − target_i|; 0 without agents.
+pub fn velocity_mismatch<const D: usize>(
+    velocities: &[Vector<D>],
+    targets: impl Iterator<Item = Vector<D>>,
+) -> f64 {
+    let errors = velocities.iter().zip(targets);
+    let squares: f64 = errors.map(|(v, target)| (v - target).norm_squared()).sum();
     (squares / velocities.len().max(1) as f64).sqrt()
 }
 
