@@ -313,7 +313,7 @@ fn a_fast_wall_passes_through_nothing() {
                 });
                 if kind > 0 {
                     group["heading"] = json!("free");
-                    group["rotation"] = json!(1.5707963267948966);
+                    group["rotation"] = json!(std::f64::consts::FRAC_PI_2);
                 }
                 let (contacts, summary, frames) = run::<2>(json!({
                     "dimension": 2, "time": { "end": 0.5 }, "record": { "every": 0.01 },
