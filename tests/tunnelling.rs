@@ -389,7 +389,8 @@ fn ten_thousand_shots_pass_nothing() {
 #[test]
 #[ignore = "a measurement"]
 fn far_higher_speeds() {
-    for fastest in [25.0, 50.0, 75.0, 100.0, 150.0, 200.0, 400.0, 1_000.0] {
+    // Beyond, walls would turn faster than a world may ask for.
+    for fastest in [25.0, 50.0, 75.0, 100.0, 150.0] {
         let score = shoot(200, fastest);
         println!(
             "{fastest}: {} of {} passed, {} hit, overlap at most {:.3}",
