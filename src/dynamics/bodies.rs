@@ -269,6 +269,10 @@ impl<const D: usize> Bodies<D> {
             velocities: &self.velocities,
             headings: &self.headings,
             groups: &self.groups,
+            rotations: self
+                .attitudes
+                .as_ref()
+                .map_or(&[], |they| &they.stances.rotations),
             obstacles: &self.obstacles,
         }
     }

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::law::{Law, build};
-use crate::math::{Vector, mean};
+use crate::math::{Matrix, Vector, mean};
 use crate::sense::{CHUNK, Cells, History, PARALLEL_FROM, Perception, Scene, Senses};
 use crate::shape::Obstacle;
 use crate::world::World;
@@ -12,7 +12,7 @@ use crate::world::World;
 pub struct Flock<const D: usize> {
     laws: Vec<Box<dyn Law<D>>>,
     /// Absent where all agents perceive without limits or errors.
-    senses: Option<Senses>,
+    senses: Option<Senses<D>>,
     history: History<D>,
     stage: Stage<D>,
     /// Scratch: accelerations in the order of the cells.
@@ -42,6 +42,8 @@ pub struct State<'a, const D: usize> {
     pub headings: &'a [Vector<D>],
     /// Group of each agent.
     pub groups: &'a [usize],
+    /// Rotation of each body; none where all are balls.
+    pub rotations: &'a [Matrix<D>],
     /// The obstacles.
     pub obstacles: &'a [Obstacle<D>],
 }
@@ -98,6 +100,7 @@ impl<const D: usize> Flock<D> {
                 state.positions,
                 state.velocities,
                 state.headings,
+                state.rotations,
             );
         }
         self.add_up(0..self.laws.len(), state, out);
@@ -180,7 +183,7 @@ impl<const D: usize> Stage<D> {
         &'a mut self,
         state: &State<'a, D>,
         range: f64,
-        senses: Option<&Senses>,
+        senses: Option<&Senses<D>>,
         history: &History<D>,
     ) -> Scene<'a, D> {
         let Self {
@@ -206,6 +209,7 @@ impl<const D: usize> Stage<D> {
             velocities,
             headings,
             groups,
+            rotations: state.rotations,
             cells,
             obstacles: state.obstacles,
             mean_position: mean(state.positions),

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
-use crate::math::Vector;
+use crate::math::{Matrix, Vector};
 
 /// The state of all agents at the start of a step, in the order of the world.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -16,6 +16,8 @@ pub struct Moment<const D: usize> {
     pub velocities: Vec<Vector<D>>,
     /// Heading of each agent, a unit vector.
     pub headings: Vec<Vector<D>>,
+    /// Rotation of each body; none where all are balls.
+    pub rotations: Vec<Matrix<D>>,
 }
 
 /// The moments of the last steps, as many as the longest delay needs.
@@ -43,6 +45,7 @@ impl<const D: usize> History<D> {
         positions: &[Vector<D>],
         velocities: &[Vector<D>],
         headings: &[Vector<D>],
+        rotations: &[Matrix<D>],
     ) {
         if self.depth == 0 {
             return;
@@ -64,6 +67,8 @@ impl<const D: usize> History<D> {
             list.clear();
             list.extend_from_slice(values);
         }
+        moment.rotations.clear();
+        moment.rotations.extend_from_slice(rotations);
         self.moments.push_back(moment);
     }
 
@@ -91,7 +96,7 @@ mod tests {
 
     fn record(history: &mut History<2>, step: u64, x: f64) {
         let at = [Vector::<2>::new(x, 0.0)];
-        history.record(step, &at, &at, &at);
+        history.record(step, &at, &at, &at, &[]);
     }
 
     fn seen(history: &History<2>, step: u64) -> f64 {

@@ -2,11 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::math::{Vector, direction};
+use crate::math::{Matrix, Vector, direction};
 use crate::sense::noise::LinkDraws;
 use crate::sense::senses::{Sense, Senses};
 use crate::sense::sight::Sight;
 use crate::sense::{CHUNK, Cells, History, Moment, Neighbour, PARALLEL_FROM, Scene, in_view};
+use crate::shape::Pose;
 
 /// The neighbours that each agent of a scene perceives.
 ///
@@ -47,6 +48,8 @@ struct Past<const D: usize> {
     headings: Vec<Vector<D>>,
     /// Place in the scene of each agent.
     places: Vec<u32>,
+    /// In the order of the world.
+    rotations: Vec<Matrix<D>>,
 }
 
 /// The others as an agent sees them, sorted by cells.
@@ -56,13 +59,15 @@ struct View<'a, const D: usize> {
     headings: &'a [Vector<D>],
     /// Place in the scene of each agent; the same place where absent.
     places: Option<&'a [u32]>,
+    /// In the order of the world; none where all bodies are balls.
+    rotations: &'a [Matrix<D>],
 }
 
 impl<const D: usize> Perception<D> {
     /// Perceives a scene anew, up to `range` > 0.
     pub fn rebuild(
         &mut self,
-        senses: &Senses,
+        senses: &Senses<D>,
         history: &History<D>,
         scene: &Scene<'_, D>,
         range: f64,
@@ -127,7 +132,7 @@ impl<const D: usize> List<D> {
         i: usize,
         step: u64,
         sense: &Sense,
-        senses: &Senses,
+        senses: &Senses<D>,
         view: &View<'_, D>,
         scene: &Scene<'_, D>,
         range: f64,
@@ -167,7 +172,16 @@ impl<const D: usize> List<D> {
                 if sense.dropout > 0.0 && draws.is_lost(sense.dropout) {
                     return;
                 }
-                if sight.is_blocked(scene.obstacles, from, place, &offset) {
+                let meets = |other: usize, at: &Vector<D>| {
+                    let body = view.place(other);
+                    let solid = &senses.solids[scene.groups[body] as usize];
+                    solid.is_ball() || {
+                        let rotation = view.rotations[agent(body)];
+                        let pose = Pose::from_matrix(from + at, rotation);
+                        solid.meets(&pose, from, &(from + offset))
+                    }
+                };
+                if sight.is_blocked(scene.obstacles, from, place, &offset, meets) {
                     return;
                 }
                 let mut neighbour = Neighbour {
@@ -217,6 +231,7 @@ impl<const D: usize> Past<D> {
         self.headings.clear();
         self.headings
             .extend(order().map(|agent| moment.headings[agent]));
+        self.rotations.clone_from(&moment.rotations);
     }
 
     fn view(&self) -> View<'_, D> {
@@ -225,6 +240,7 @@ impl<const D: usize> Past<D> {
             velocities: &self.velocities,
             headings: &self.headings,
             places: Some(&self.places),
+            rotations: &self.rotations,
         }
     }
 }
@@ -237,6 +253,7 @@ impl<'a, const D: usize> View<'a, D> {
             velocities: scene.velocities,
             headings: scene.headings,
             places: None,
+            rotations: scene.rotations,
         }
     }
 

@@ -1,6 +1,6 @@
 //! What the laws see at one moment.
 
-use crate::math::Vector;
+use crate::math::{Matrix, Vector};
 use crate::sense::{Cells, Perception};
 use crate::shape::{Obstacle, Projection};
 
@@ -22,6 +22,8 @@ pub struct Scene<'a, const D: usize> {
     pub headings: &'a [Vector<D>],
     /// Group of each agent.
     pub groups: &'a [u32],
+    /// Rotation of each body, in the order of the world; none where all are balls.
+    pub rotations: &'a [Matrix<D>],
     /// The same positions, for neighbour searches.
     pub cells: &'a Cells<D>,
     /// The obstacles.

@@ -1,17 +1,20 @@
 //! The senses of the agents of a world.
 
 use crate::sense::Cone;
+use crate::shape::Solid;
 use crate::world::World;
 use crate::world::check::whole_steps;
 use crate::world::spec::{BlockedBySpec, NoiseSpec, PerAgent, SensingSpec};
 
 /// How the agents of a world perceive each other, where a group of it has `sensing`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Senses {
+#[derive(Debug, Clone)]
+pub struct Senses<const D: usize> {
     groups: Vec<Sense>,
     /// Radius of the spherical neighbourhood of each agent, infinite without limit.
     pub(super) reaches: Vec<f64>,
-    /// Radius of each agent's body, and the largest.
+    /// The solid of each group's bodies.
+    pub(super) solids: Vec<Solid<D>>,
+    /// Radius of the ball that holds each agent's body, and the largest.
     pub(super) bodies: Vec<f64>,
     pub(super) largest_body: f64,
     pub(super) seed: u64,
@@ -30,9 +33,9 @@ pub(super) struct Sense {
     pub dropout: f64,
 }
 
-impl Senses {
+impl<const D: usize> Senses<D> {
     /// The senses of a world; nothing where all perceive without limits or errors.
-    pub fn new<const D: usize>(world: &World<D>) -> Option<Self> {
+    pub fn new(world: &World<D>) -> Option<Self> {
         let specs = &world.spec.agents;
         if specs.iter().all(|group| group.sensing.is_none()) {
             return None;
@@ -54,6 +57,7 @@ impl Senses {
                 .map(|group| Sense::new(sensing(group), step))
                 .collect(),
             reaches,
+            solids: world.solids.clone(),
             bodies: world.agents.radius.clone(),
             largest_body: world.agents.radius.iter().copied().fold(0.0, f64::max),
             seed: world.spec.seed,

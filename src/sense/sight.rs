@@ -45,16 +45,20 @@ impl<const D: usize> Sight<D> {
     }
 
     /// Whether something that was noted hides agent number `place` of the cells, which is
-    /// `offset` away from `from`. A line that just touches is blocked.
+    /// `offset` away from `from`. A line that just touches is blocked. Where the line meets
+    /// the ball about a body, `exactly` tells by its place and offset whether it meets the body.
     pub fn is_blocked(
         &self,
         obstacles: &[Obstacle<D>],
         from: &Vector<D>,
         place: usize,
         offset: &Vector<D>,
+        exactly: impl Fn(usize, &Vector<D>) -> bool,
     ) -> bool {
         let hides = |&(other, at, radius): &Body<D>| {
-            other != place && squared_distance(&at, offset) <= radius * radius
+            other != place
+                && squared_distance(&at, offset) <= radius * radius
+                && exactly(other, &at)
         };
         self.bodies.iter().any(hides) || {
             let to = from + offset;

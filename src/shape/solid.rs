@@ -83,6 +83,12 @@ impl<const D: usize> Solid<D> {
         self.query.gap(at, &*other.query, other_at)
     }
 
+    /// Whether the segment between two points meets it where it stands so.
+    pub fn meets(&self, at: &Pose<D>, from: &Vector<D>, to: &Vector<D>) -> bool {
+        self.query
+            .meets(&at.point_to_local(from), &at.point_to_local(to))
+    }
+
     /// What answers its queries.
     pub(super) fn query(&self) -> &dyn Query<D> {
         &*self.query

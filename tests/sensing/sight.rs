@@ -1,10 +1,12 @@
 //! Lines of sight against geometry of our own.
 
 use serde_json::json;
-use volary::math::{Vector, axis};
+use volary::law::State;
+use volary::math::{Matrix, Vector, axis};
 use volary::shape::{Geometry, In, Pose};
+use volary::world::World;
 
-use crate::common::headings;
+use crate::common::{self, headings};
 use crate::scene::{Dice, Watch, pairs, state, who, world};
 
 /// The least value of a convex function along a segment, by ternary search.
@@ -169,6 +171,117 @@ where
 fn what_stands_between_hides() {
     sight_equals_geometry::<2>();
     sight_equals_geometry::<3>();
+}
+
+/// Rods, boxes and balls as bodies in the way, now or, seen late, as they were and stood a step ago.
+fn bodies_of_any_shape_hide<const D: usize>(delay: bool)
+where
+    In<D>: Geometry<D>,
+{
+    let mut dice = Dice(7 + D as u64);
+    let sensing = json!({
+        "blocked_by": { "bodies": true }, "delay": if delay { 0.1 } else { 0.0 }
+    });
+    let half: Vector<D> = Vector::from_fn(|k, _| [1.1, 0.3, 0.5][k]);
+    let row = |first: usize, count: usize| -> Vec<Vec<f64>> {
+        let place = |k: usize| (axis::<D>(0) * (10.0 * k as f64)).as_slice().to_vec();
+        (first..first + count).map(place).collect()
+    };
+    let group = |shape: serde_json::Value, first: usize| {
+        json!({
+            "shape": shape, "sensing": sensing, "positions": { "explicit": row(first, 8) }
+        })
+    };
+    let world: World<D> = common::world(common::spec(json!({
+        "dimension": D, "time": { "step": 0.1, "end": 10 },
+        "agents": [
+            group(json!({ "ball": { "radius": 0.3 } }), 0),
+            group(json!({ "capsule": { "half_length": 1.2, "radius": 0.2 } }), 8),
+            group(json!({ "cuboid": { "half_extents": half.as_slice() } }), 16),
+        ]
+    })));
+    let n = world.agents.len();
+    let (mut seen, mut hidden, mut spared) = (0, 0, 0);
+    for _ in 0..6 {
+        let (at, v) = (
+            dice.vectors::<D>(n, 0.0, 9.0),
+            dice.vectors::<D>(n, -1.0, 1.0),
+        );
+        let turned = |dice: &mut Dice| -> Vec<Matrix<D>> {
+            let turn = |_| std::array::from_fn(|_| dice.between(-2.0, 2.0));
+            let turns: Vec<[f64; 3]> = (0..n).map(turn).collect();
+            let rotation = |turn| *Pose::<D>::new(Vector::zeros(), turn).rotation();
+            turns.into_iter().map(rotation).collect()
+        };
+        let (rotations, later) = (turned(&mut dice), turned(&mut dice));
+        let mut watch = Watch::new(&world, 6.0);
+        let headings = headings(&v);
+        let first = State {
+            rotations: &rotations,
+            ..state(&world, 0.0, &at, &v, &headings)
+        };
+        let mut told = watch.look(&first);
+        if delay {
+            // All stand still but turn; who sees late sees them as they stood.
+            told = watch.look(&State {
+                time: 0.1,
+                rotations: &later,
+                ..first
+            });
+        }
+        let gap = |k: usize, x: &Vector<D>| {
+            let local = rotations[k].tr_mul(&(x - at[k]));
+            match world.agents.group[k] {
+                0 => local.norm() - 0.3,
+                1 => {
+                    let along = axis::<D>(0) * local[0].clamp(-1.2, 1.2);
+                    (local - along).norm() - 0.2
+                }
+                _ => (local.abs() - half).max(),
+            }
+        };
+        let mut doubtful = Vec::new();
+        let mut expected = Vec::new();
+        for [i, j] in pairs(n, |i, j| (at[i] - at[j]).norm() <= 6.0) {
+            let others = || (0..n).filter(|&k| k != i && k != j);
+            let clear = |k: usize| least(&at[i], &at[j], |x| gap(k, x));
+            let clearance = others().map(clear).fold(f64::INFINITY, f64::min);
+            let ball = |k: usize| {
+                least(&at[i], &at[j], |x| {
+                    (x - at[k]).norm() - world.agents.radius[k]
+                })
+            };
+            if clearance.abs() < 1e-6 {
+                doubtful.push([i, j]);
+            } else if clearance > 0.0 {
+                seen += 1;
+                // Hidden, if bodies were the balls that hold them.
+                spared += usize::from(others().any(|k| ball(k) < 0.0));
+                expected.push([i, j]);
+            } else {
+                hidden += 1;
+            }
+        }
+        let mut found = who(&told);
+        found.retain(|pair| !doubtful.contains(pair));
+        assert_eq!(found, expected);
+    }
+    assert!(
+        seen > 100 && hidden > 100 && spared > 50,
+        "{seen} {hidden} {spared}"
+    );
+}
+
+#[test]
+fn bodies_hide_by_their_shapes() {
+    bodies_of_any_shape_hide::<2>(false);
+    bodies_of_any_shape_hide::<3>(false);
+}
+
+#[test]
+fn bodies_seen_late_hide_as_they_stood() {
+    bodies_of_any_shape_hide::<2>(true);
+    bodies_of_any_shape_hide::<3>(true);
 }
 
 #[test]

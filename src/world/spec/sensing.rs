@@ -77,8 +77,7 @@ pub struct ConeSpec {
 pub struct BlockedBySpec {
     /// Obstacles. An agent whose centre is inside one neither sees nor is seen.
     pub obstacles: bool,
-    /// The bodies of third agents, where these are seen: `delay` ago. One that is not round
-    /// counts as the ball that holds it.
+    /// The bodies of third agents, where these are seen: `delay` ago.
     pub bodies: bool,
 }
 
