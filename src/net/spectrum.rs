@@ -19,13 +19,14 @@ pub fn algebraic_connectivity(net: &Adjacency) -> Option<f64> {
     if net.partition().count() > 1 {
         return Some(0.0);
     }
-    let mut values: Vec<f64> = net
-        .mirror()
-        .laplacian()
-        .symmetric_eigenvalues()
-        .iter()
-        .copied()
-        .collect();
+    let laplacian = net.mirror().laplacian();
+    let mut values = laplacian.symmetric_eigenvalues();
+    if values.iter().any(|value| value.is_nan()) {
+        // The iteration fails on a matrix in a million; the eigenvalues of a Laplacian, which
+        // are not negative, are its singular values as well.
+        values = laplacian.singular_values();
+    }
+    let mut values: Vec<f64> = values.iter().copied().collect();
     values.sort_by(f64::total_cmp);
     Some(values[1].max(0.0))
 }
