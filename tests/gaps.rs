@@ -124,7 +124,7 @@ fn agrees<const D: usize>(
         // Moved apart by the depth along the right direction they just touch.
         let parted = |along: Vector<D>| {
             let moved = there.translation + along * -gap;
-            one.gap(&at, &other, &Pose::new(moved, there.turn))
+            one.gap(&at, &other, &there.at(moved))
         };
         let best = directions::<D>(count)
             .into_iter()

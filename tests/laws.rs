@@ -75,8 +75,8 @@ fn moved<const D: usize>(spec: &WorldSpec, pose: &Pose<D>) -> WorldSpec {
         let at = volary::world::vector_or_zero::<D>(position);
         *position = Some(pose.point_to_world(&at).as_slice().to_vec());
         *rotation = Some(match D {
-            2 => Rotation::Angle(pose.turn[2]),
-            _ => Rotation::Vector(pose.turn.to_vec()),
+            2 => Rotation::Angle(pose.turn()[2]),
+            _ => Rotation::Vector(pose.turn().to_vec()),
         });
     }
     spec

@@ -121,7 +121,7 @@ where
 fn between_poses<const D: usize>(before: &Pose<D>, after: &Pose<D>, share: f64) -> Pose<D> {
     let way = after.translation - before.translation;
     let change = after.rotation() * before.rotation().transpose();
-    let turn = Pose::from_matrix(Vector::zeros(), change).turn;
+    let turn = Pose::from_matrix(Vector::zeros(), change).turn();
     let part = Pose::<D>::new(Vector::zeros(), turn.map(|x| x * share));
     Pose::from_matrix(
         before.translation + way * share,

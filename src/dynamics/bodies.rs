@@ -314,7 +314,7 @@ impl<const D: usize> Bodies<D> {
                 .actuators
                 .act(i, wanted * mass, before, &coasting, gain);
             self.forces[i] = self.pushes[i] + self.gravity * mass;
-            self.applied[i] = self.forces[i] / self.masses[i];
+            self.applied[i] = self.forces[i] / mass;
             // Squared speeds must stay finite as well, or the engine stops the body.
             let speed_gained = self.applied[i] * self.step_size;
             if !(speed_gained.norm_squared() + self.forces[i].norm_squared()).is_finite() {

@@ -46,14 +46,12 @@ pub fn axis<const D: usize>(k: usize) -> Vector<D> {
     Vector::from_fn(|row, _| if row == k { 1.0 } else { 0.0 })
 }
 
-/// The velocity that a rotation at `rate` (axis times angle per time; in the plane only the
-/// last component counts) gives a point at `offset` from the axis: rate × offset.
-pub fn spin<const D: usize>(rate: [f64; 3], offset: &Vector<D>) -> Vector<D> {
-    let at: [f64; 3] = std::array::from_fn(|k| if k < D { offset[k] } else { 0.0 });
-    Vector::from_fn(|k, _| {
-        let (l, m) = ((k + 1) % 3, (k + 2) % 3);
-        rate[l] * at[m] - rate[m] * at[l]
-    })
+/// The cross product with a vector, ω × x, as a matrix: the velocity that a rotation
+/// at the rate ω gives a point at x from the axis. In the plane ω is along e₃.
+pub fn cross<const D: usize>(omega: [f64; 3]) -> Matrix<D> {
+    let [x, y, z] = omega;
+    let full = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
+    Matrix::from_fn(|i, j| full[i][j])
 }
 
 /// The mean of some vectors, summed in their order; zero where there are none.

@@ -2,9 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::math::{Matrix, Vector, sin_cos, sin_cos_of_turns};
+use crate::math::{Matrix, Vector, cross, sin_cos, sin_cos_of_turns};
 use crate::shape::Pose;
-use crate::shape::pose::cross;
 
 /// How an obstacle moves.
 #[derive(Debug, Clone, PartialEq)]

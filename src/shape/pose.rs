@@ -1,14 +1,12 @@
 //! Where a shape stands.
 
-use crate::math::{Matrix, Vector, sin_cos};
+use crate::math::{Matrix, Vector, cross, sin_cos};
 
 /// A rotation followed by a translation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pose<const D: usize> {
     /// Where the frame's origin is.
     pub translation: Vector<D>,
-    /// Axis times angle in radians; in the plane only the last component counts.
-    pub turn: [f64; 3],
     rotation: Matrix<D>,
 }
 
@@ -24,7 +22,6 @@ impl<const D: usize> Pose<D> {
         };
         Self {
             translation,
-            turn,
             rotation,
         }
     }
@@ -33,7 +30,6 @@ impl<const D: usize> Pose<D> {
     pub fn from_matrix(translation: Vector<D>, rotation: Matrix<D>) -> Self {
         Self {
             translation,
-            turn: rotation_vector(&rotation),
             rotation,
         }
     }
@@ -53,7 +49,6 @@ impl<const D: usize> Pose<D> {
         let turned = by * self.rotation;
         Self {
             translation: about + by * (self.translation - about),
-            turn: rotation_vector(&turned),
             rotation: turned,
         }
     }
@@ -63,9 +58,14 @@ impl<const D: usize> Pose<D> {
         let turned = self.rotation * inner.rotation;
         Self {
             translation: self.point_to_world(&inner.translation),
-            turn: rotation_vector(&turned),
             rotation: turned,
         }
+    }
+
+    /// The rotation as axis times angle in radians, the angle at most half a turn; in the plane
+    /// along the third axis.
+    pub fn turn(&self) -> [f64; 3] {
+        rotation_vector(&self.rotation)
     }
 
     /// The rotation as a matrix.
@@ -97,13 +97,6 @@ impl<const D: usize> Pose<D> {
     pub fn map_to_world(&self, map: &Matrix<D>) -> Matrix<D> {
         self.rotation * map * self.rotation.transpose()
     }
-}
-
-/// The cross product with a vector, ω × x, as a matrix; in the plane ω is along e₃.
-pub(crate) fn cross<const D: usize>(omega: [f64; 3]) -> Matrix<D> {
-    let [x, y, z] = omega;
-    let full = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
-    Matrix::from_fn(|i, j| full[i][j])
 }
 
 /// Rodrigues' formula, I + sin θ K + (1 − cos θ) K² with K = axis ×.
@@ -152,7 +145,7 @@ mod tests {
         let both = outer.then(&inner).point_to_world(&point);
         let each = outer.point_to_world(&inner.point_to_world(&point));
         assert!((both - each).norm() < 1e-14);
-        let again = Pose::new(outer.then(&inner).translation, outer.then(&inner).turn);
+        let again = Pose::new(outer.then(&inner).translation, outer.then(&inner).turn());
         assert!((again.point_to_world(&point) - each).norm() < 1e-13);
     }
 }

@@ -140,10 +140,7 @@ fn obstacle_poses<const D: usize>(obstacles: &[Obstacle<D>]) -> Option<Vec<Obsta
         .map(|(index, obstacle)| ObstaclePose {
             obstacle: index,
             position: list(&obstacle.pose.translation),
-            rotation: match D {
-                2 => Rotation::Angle(obstacle.pose.turn[2]),
-                _ => Rotation::Vector(obstacle.pose.turn.to_vec()),
-            },
+            rotation: Rotation::of(obstacle.pose.rotation()),
         })
         .collect();
     (!poses.is_empty()).then_some(poses)

@@ -98,7 +98,7 @@ impl<const D: usize> Agents<D> {
 impl Rotation {
     /// The rotation that a matrix stands for, its angle at most half a turn.
     pub fn of<const D: usize>(matrix: &Matrix<D>) -> Self {
-        let turn = Pose::from_matrix(Vector::zeros(), *matrix).turn;
+        let turn = Pose::from_matrix(Vector::zeros(), *matrix).turn();
         match D {
             2 => Self::Angle(turn[2]),
             _ => Self::Vector(turn.into()),
@@ -210,7 +210,7 @@ mod tests {
         let rotation = along(&heading);
         assert!((rotation * axis::<D>(0) - heading).norm() < 1e-10);
         assert!((rotation * rotation.transpose() - Matrix::<D>::identity()).norm() < 1e-6);
-        let turn = Pose::from_matrix(Vector::zeros(), rotation).turn;
+        let turn = Pose::from_matrix(Vector::zeros(), rotation).turn();
         let again = *Pose::<D>::new(Vector::zeros(), turn).rotation();
         assert!((again - rotation).norm() < 1e-6);
     }

@@ -1,6 +1,6 @@
 //! How fast agents start.
 
-use crate::math::{Vector, direction, mean, spin};
+use crate::math::{Vector, cross, direction, mean};
 use crate::world::random::{Purpose, Random};
 use crate::world::spec::VelocitySpec;
 use crate::world::{vector, vector_or_zero};
@@ -36,9 +36,9 @@ pub(super) fn velocities<const D: usize>(
             ways.map(|way| direction(&way) * outward.speed).collect()
         }
         VelocitySpec::Rotating(rotating) => {
-            let rate = rotating.rate.turn();
+            let spin = cross(rotating.rate.turn());
             let ways = from_center(&rotating.center).into_iter();
-            ways.map(|way| spin(rate, &way)).collect()
+            ways.map(|way| spin * way).collect()
         }
     }
 }
