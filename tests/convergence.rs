@@ -29,6 +29,7 @@ fn reference<const D: usize>(world: &World<D>, steps: usize) -> Flow<D> {
             velocities: &state.1,
             headings: &headings(&state.1),
             groups: &world.agents.group,
+            masses: &world.agents.mass,
             rotations: &world.agents.rotations,
             obstacles: &world.obstacles,
         };

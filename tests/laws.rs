@@ -33,6 +33,7 @@ fn accelerations<const D: usize>(
         velocities,
         headings: &headings(velocities),
         groups: &world.agents.group,
+        masses: &world.agents.mass,
         rotations: &world.agents.rotations,
         obstacles,
     };

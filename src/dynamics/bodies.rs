@@ -269,6 +269,7 @@ impl<const D: usize> Bodies<D> {
             velocities: &self.velocities,
             headings: &self.headings,
             groups: &self.groups,
+            masses: &self.masses,
             rotations: self
                 .attitudes
                 .as_ref()

@@ -42,6 +42,8 @@ pub struct State<'a, const D: usize> {
     pub headings: &'a [Vector<D>],
     /// Group of each agent.
     pub groups: &'a [usize],
+    /// Mass of each agent.
+    pub masses: &'a [f64],
     /// Rotation of each body; none where all are balls.
     pub rotations: &'a [Matrix<D>],
     /// The obstacles.
@@ -121,10 +123,10 @@ impl<const D: usize> Flock<D> {
     /// The links: who perceives whom within the largest range of the laws, as pairs of
     /// agents, the one that perceives first; sorted.
     pub fn links(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
-        let range = range(&self.laws);
+        let [range, side] = range_and_side(&self.laws);
         let scene = self
             .stage
-            .scene(state, range, self.senses.as_ref(), &self.history);
+            .scene(state, [range, side], self.senses.as_ref(), &self.history);
         let mut links = Vec::new();
         if range > 0.0 {
             for (i, &agent) in scene.agents.iter().enumerate() {
@@ -145,9 +147,12 @@ impl<const D: usize> Flock<D> {
         out: &mut [Vector<D>],
     ) {
         let laws = &mut self.laws[laws];
-        let scene = self
-            .stage
-            .scene(state, range(laws), self.senses.as_ref(), &self.history);
+        let scene = self.stage.scene(
+            state,
+            range_and_side(laws),
+            self.senses.as_ref(),
+            &self.history,
+        );
         for law in &mut *laws {
             law.prepare(&scene);
         }
@@ -172,17 +177,24 @@ impl<const D: usize> Flock<D> {
     }
 }
 
-/// The largest distance at which some laws look for neighbours.
-fn range<const D: usize>(laws: &[Box<dyn Law<D>>]) -> f64 {
-    laws.iter().map(|law| law.range()).fold(0.0, f64::max)
+/// The largest distance at which some laws look for neighbours, and the side of cells that
+/// suits them: their largest finite range, for a search of all pairs looks into every cell.
+fn range_and_side<const D: usize>(laws: &[Box<dyn Law<D>>]) -> [f64; 2] {
+    let ranges = || laws.iter().map(|law| law.range());
+    let finite = ranges()
+        .filter(|range| range.is_finite())
+        .fold(0.0, f64::max);
+    // Without neighbours to look for, one cell will do.
+    let side = if finite > 0.0 { finite } else { f64::MAX };
+    [ranges().fold(0.0, f64::max), side]
 }
 
 impl<const D: usize> Stage<D> {
-    /// The scene that laws which look as far as `range` see.
+    /// The scene that laws which look as far as `range` see, in cells of this side.
     fn scene<'a>(
         &'a mut self,
         state: &State<'a, D>,
-        range: f64,
+        [range, side]: [f64; 2],
         senses: Option<&Senses<D>>,
         history: &History<D>,
     ) -> Scene<'a, D> {
@@ -193,8 +205,7 @@ impl<const D: usize> Stage<D> {
             groups,
             perception,
         } = self;
-        // Without neighbours to look for, one cell will do.
-        cells.rebuild(state.positions, if range > 0.0 { range } else { f64::MAX });
+        cells.rebuild(state.positions, side);
         let order = || cells.order().iter().map(|&agent| agent as usize);
         velocities.clear();
         velocities.extend(order().map(|agent| state.velocities[agent]));
@@ -209,6 +220,7 @@ impl<const D: usize> Stage<D> {
             velocities,
             headings,
             groups,
+            masses: state.masses,
             rotations: state.rotations,
             cells,
             obstacles: state.obstacles,
@@ -220,7 +232,7 @@ impl<const D: usize> Stage<D> {
         if let Some(senses) = senses
             && range > 0.0
         {
-            perception.rebuild(senses, history, &scene, range);
+            perception.rebuild(senses, history, &scene, [range, side]);
             scene.perception = Some(perception);
         }
         scene

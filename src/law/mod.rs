@@ -9,6 +9,7 @@ mod flock;
 mod heading_consensus;
 mod navigation;
 mod obstacle_avoidance;
+mod pull;
 mod scoped;
 
 pub use alpha_interaction::AlphaInteraction;
@@ -16,12 +17,13 @@ pub use flock::{Flock, State};
 pub use heading_consensus::HeadingConsensus;
 pub use navigation::Navigation;
 pub use obstacle_avoidance::ObstacleAvoidance;
+pub use pull::{Link, Pull};
 pub use scoped::Scoped;
 
 use crate::math::Vector;
 use crate::sense::Scene;
 use crate::world::World;
-use crate::world::spec::LawSpec;
+use crate::world::spec::{LawSpec, ScopeSpec};
 
 /// A law: a map from what the agents see to what they want to accelerate by.
 pub trait Law<const D: usize>: Send + Sync {
@@ -37,6 +39,20 @@ pub trait Law<const D: usize>: Send + Sync {
     /// Prepares what all agents share, before a scene's accelerations are asked for.
     fn prepare(&mut self, _scene: &Scene<'_, D>) {}
 
+    /// The law as a pull on the velocity of agent `i` of the scene, its links appended to
+    /// `links`; nothing where the law is no average of velocities, or does not act on the
+    /// agent. A law that has pulls has them for every state, and its acceleration is
+    /// theirs: see [`Pull`].
+    fn pull(&self, _scene: &Scene<'_, D>, _i: usize, _links: &mut Vec<Link<D>>) -> Option<Pull> {
+        None
+    }
+
+    /// Whether the dynamics should integrate the law's pulls exactly over a step, rather
+    /// than hold its acceleration fixed: for rates near or above one over the step.
+    fn relaxes(&self) -> bool {
+        false
+    }
+
     /// Adds the law's acceleration of the agents `first`, `first + 1`, … to `out`, one
     /// entry for each. Must be the same however the agents are split into calls.
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]);
@@ -47,7 +63,7 @@ pub fn build<const D: usize>(world: &World<D>) -> Vec<Box<dyn Law<D>>> {
     world
         .laws()
         .filter_map(|(scope, spec)| {
-            let law = one(spec, world)?;
+            let law = one(spec, scope, world)?;
             Some(match scope {
                 Some(scope) => Box::new(Scoped::new(law, scope, &world.spec.agents)),
                 None => law,
@@ -57,7 +73,11 @@ pub fn build<const D: usize>(world: &World<D>) -> Vec<Box<dyn Law<D>>> {
 }
 
 /// A law without its scope; nothing for a scope itself, which no checked world has here.
-fn one<const D: usize>(spec: &LawSpec, world: &World<D>) -> Option<Box<dyn Law<D>>> {
+fn one<const D: usize>(
+    spec: &LawSpec,
+    _scope: Option<&ScopeSpec>,
+    world: &World<D>,
+) -> Option<Box<dyn Law<D>>> {
     Some(match spec {
         LawSpec::AlphaInteraction(spec) => Box::new(AlphaInteraction::new(spec)),
         LawSpec::ObstacleAvoidance(spec) => Box::new(ObstacleAvoidance::new(spec, world)),

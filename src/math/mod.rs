@@ -4,6 +4,7 @@ mod action;
 mod alpha_pair;
 mod angle;
 mod bump;
+mod gain;
 mod normal;
 mod turn;
 
@@ -11,6 +12,7 @@ pub use action::Action;
 pub use alpha_pair::{AlphaPair, Fade};
 pub use angle::{angle_between, turn_between};
 pub use bump::Bump;
+pub use gain::{Gain, shortened};
 pub use normal::normal_quantile;
 pub use turn::{sin_cos, sin_cos_of_turns};
 

@@ -64,13 +64,13 @@ struct View<'a, const D: usize> {
 }
 
 impl<const D: usize> Perception<D> {
-    /// Perceives a scene anew, up to `range` > 0.
+    /// Perceives a scene anew, up to `range` > 0, with the past in cells of this side.
     pub fn rebuild(
         &mut self,
         senses: &Senses<D>,
         history: &History<D>,
         scene: &Scene<'_, D>,
-        range: f64,
+        [range, side]: [f64; 2],
     ) {
         let step = senses.step_at(scene.time);
         self.places.resize(scene.agents.len(), 0);
@@ -86,7 +86,7 @@ impl<const D: usize> Perception<D> {
         self.pasts.resize_with(delays.len(), Past::default);
         for (past, delay) in self.pasts.iter_mut().zip(delays) {
             if let Some(moment) = moment(delay) {
-                past.rebuild(delay, moment, &self.places, range);
+                past.rebuild(delay, moment, &self.places, side);
             }
         }
         let pasts = &self.pasts;
@@ -219,9 +219,9 @@ impl<const D: usize> Neighbour<D> {
 }
 
 impl<const D: usize> Past<D> {
-    fn rebuild(&mut self, delay: u64, moment: &Moment<D>, places: &[u32], range: f64) {
+    fn rebuild(&mut self, delay: u64, moment: &Moment<D>, places: &[u32], side: f64) {
         self.delay = delay;
-        self.cells.rebuild(&moment.positions, range);
+        self.cells.rebuild(&moment.positions, side);
         let order = || self.cells.order().iter().map(|&agent| agent as usize);
         self.places.clear();
         self.places.extend(order().map(|agent| places[agent]));

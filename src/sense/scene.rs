@@ -22,6 +22,8 @@ pub struct Scene<'a, const D: usize> {
     pub headings: &'a [Vector<D>],
     /// Group of each agent.
     pub groups: &'a [u32],
+    /// Mass of each agent, in the order of the world; see [`Scene::mass`].
+    pub masses: &'a [f64],
     /// Rotation of each body, in the order of the world; none where all are balls.
     pub rotations: &'a [Matrix<D>],
     /// The same positions, for neighbour searches.
@@ -57,12 +59,30 @@ pub struct Neighbour<const D: usize> {
 }
 
 impl<const D: usize> Scene<'_, D> {
+    /// Mass of agent `i` of the scene.
+    #[inline]
+    pub fn mass(&self, i: usize) -> f64 {
+        self.masses[self.agents[i] as usize]
+    }
+
+    /// Number of agents that the law may count as neighbours, however far away: the N of
+    /// the papers' means. All agents, or those that its scope lets it see.
+    pub fn count(&self) -> usize {
+        match self.visible {
+            None => self.groups.len(),
+            Some(visible) => {
+                let seen = |group: &&u32| visible[**group as usize];
+                self.groups.iter().filter(seen).count()
+            }
+        }
+    }
+
     /// Calls `visit` with every neighbour of agent `i`: each other agent that it perceives
     /// at most `range` away, in an order that does not depend on the number of threads.
     ///
     /// This is the only door to neighbours: what comes through it is what the agent's
     /// senses tell. With noise, `offset` may be longer than the range: that is of the true
-    /// distance.
+    /// distance. An infinite range is that of all pairs.
     #[inline]
     pub fn neighbours(&self, i: usize, range: f64, mut visit: impl FnMut(Neighbour<D>)) {
         if self.perception.is_some() || self.visible.is_some() {

@@ -126,6 +126,14 @@ impl<const D: usize> World<D> {
         each_law(&self.spec.laws)
     }
 
+    /// For each agent, whether laws in a scope, or in none, act on it.
+    pub fn acted_on(&self, scope: Option<&ScopeSpec>) -> Vec<bool> {
+        let groups = self.spec.agents.iter();
+        let by_group: Vec<bool> = groups.map(|group| acts_on(scope, group)).collect();
+        let groups = self.agents.group.iter();
+        groups.map(|&group| by_group[group]).collect()
+    }
+
     /// The velocity that the first navigation law steers to, rest included.
     pub fn navigation_velocity(&self) -> Option<Vector<D>> {
         self.laws().find_map(|(_, law)| steered_velocity(law))

@@ -129,6 +129,7 @@ fn the_vote_is_the_protocol_without_damping() {
             velocities,
             headings: &vec![axis(0); positions.len()],
             groups: &world.agents.group,
+            masses: &world.agents.mass,
             rotations: &world.agents.rotations,
             obstacles: &world.obstacles,
         },

@@ -135,6 +135,7 @@ pub fn state<'a, const D: usize>(
         velocities,
         headings,
         groups: &world.agents.group,
+        masses: &world.agents.mass,
         rotations: &world.agents.rotations,
         obstacles: &world.obstacles,
     }

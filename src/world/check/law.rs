@@ -1,10 +1,10 @@
 //! Checks of laws.
 
-use super::{Check, is_nonzero};
+use super::{Check, is_nonzero, size};
 use crate::world::problem::Problem;
 use crate::world::spec::{
-    ActionSpec, Feedback, GammaSpec, GroupSpec, LawSpec, NavigationSpec, ScopeSpec, WorldSpec,
-    acts_on, each_law,
+    ActionSpec, Feedback, GammaSpec, GroupSpec, LawSpec, NavigationSpec, ScopeSpec, Values,
+    WorldSpec, acts_on, each_law,
 };
 use crate::world::words::{did_you_mean, number};
 
@@ -116,7 +116,7 @@ impl Check {
     /// Linear feedback on the velocity is stable at rates below 2n²/((n + 1)(2n − 1)) over
     /// the step only, with n substeps (see the coupling of laws to bodies);
     /// above, the run would be noise.
-    fn damping(&mut self, path: &str, times: &str, rate: f64) {
+    pub(super) fn damping(&mut self, path: &str, times: &str, rate: f64) {
         let n = self.substeps as f64;
         let limit = 2.0 * n * n / ((n + 1.0) * (2.0 * n - 1.0));
         self.stable(path, times, rate, limit / self.step);
@@ -128,6 +128,35 @@ impl Check {
             let what = format!("{times} must be below {limit} to be stable at this step");
             let problem = Problem::new(path, what.trim_start());
             self.problems.push(problem.hint("a smaller `time.step`"));
+        }
+    }
+
+    /// A list with one entry for each agent that a law acts on must have that many.
+    pub(super) fn one_for_each(
+        &mut self,
+        path: &str,
+        entries: usize,
+        scope: Option<&ScopeSpec>,
+        world: &WorldSpec,
+    ) {
+        let groups = world.agents.iter().filter(|group| acts_on(scope, group));
+        let agents: usize = groups.filter_map(size).fold(0, usize::saturating_add);
+        if entries != agents {
+            let what = format!("must have {agents} entries, one for each agent, not {entries}");
+            self.add(path, what);
+        }
+    }
+
+    /// Values for each agent that a law acts on.
+    pub(super) fn values(
+        &mut self,
+        path: &str,
+        values: &Values,
+        scope: Option<&ScopeSpec>,
+        world: &WorldSpec,
+    ) {
+        if let Values::Each(values) = values {
+            self.one_for_each(path, values.len(), scope, world);
         }
     }
 

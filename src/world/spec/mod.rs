@@ -14,6 +14,7 @@ mod obstacle;
 mod scope;
 mod sensing;
 mod start;
+mod values;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -32,6 +33,7 @@ pub use start::{
     BallSpec, BoxSpec, GridSpec, HexagonalSpec, LineSpec, OutwardSpec, PlacementSpec, RotatingSpec,
     VelocityBallSpec, VelocityBoxSpec, VelocitySpec,
 };
+pub use values::{ActsAs, Values, spread};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
