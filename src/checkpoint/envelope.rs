@@ -21,7 +21,7 @@ use super::CheckpointError;
 const MAGIC: &[u8; 18] = b"volary checkpoint\n";
 
 /// Version of the format.
-pub(super) const VERSION: u32 = 1;
+pub(super) const VERSION: u32 = 2;
 
 /// Why a source has no content to read.
 pub(super) enum Fault {

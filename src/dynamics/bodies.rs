@@ -27,8 +27,9 @@ use thiserror::Error;
 
 use crate::dynamics::actuator::Actuators;
 use crate::dynamics::attitude::Attitudes;
+use crate::dynamics::relaxation::relax;
 use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched};
-use crate::law::{Flock, State};
+use crate::law::{Flock, Pulls, State};
 use crate::math::{Vector, axis, direction};
 use crate::shape::{In, Obstacle};
 use crate::world::World;
@@ -98,6 +99,10 @@ pub struct Bodies<const D: usize> {
     pushes: Vec<Vector<D>>,
     forces: Vec<Vector<D>>,
     applied: Vec<Vector<D>>,
+    /// From the velocity that the engine will have to that at the end of the step.
+    ahead: Vec<Vector<D>>,
+    /// The pulls of the laws that relax.
+    pulls: Pulls<D>,
     touches: Vec<Touch<D>>,
 }
 
@@ -108,14 +113,18 @@ impl<const D: usize> Bodies<D> {
         In<D>: Engine<D>,
     {
         let mut bodies = Self::around(<In<D> as Engine<D>>::physics(world), world);
-        // Set the engine's velocities back by half a substep. The first step is taken with the
-        // forces decided here.
+        // The first step is taken with the forces decided here.
         bodies.ask(flock);
         bodies.decide()?;
-        for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
-            *velocity -= applied * (0.5 * bodies.step_size / bodies.substeps);
+        if bodies.pulls.is_empty() {
+            // Set the engine's velocities back by half a substep. What relaxes cannot be set
+            // back, and starts with a shorter step instead.
+            let lag = bodies.lag();
+            for (velocity, applied) in bodies.engine_velocities.iter_mut().zip(&bodies.applied) {
+                *velocity -= applied * lag;
+            }
+            bodies.physics.set_velocities(&bodies.engine_velocities);
         }
-        bodies.physics.set_velocities(&bodies.engine_velocities);
         Ok(bodies)
     }
 
@@ -143,7 +152,9 @@ impl<const D: usize> Bodies<D> {
             wanted_before: zeros.clone(),
             pushes: zeros.clone(),
             forces: zeros.clone(),
-            applied: zeros,
+            applied: zeros.clone(),
+            ahead: zeros,
+            pulls: Pulls::default(),
             touches: Vec::new(),
         };
         bodies.turn();
@@ -157,13 +168,14 @@ impl<const D: usize> Bodies<D> {
             self.decide()?;
         }
         self.move_obstacles(self.step + 1);
-        let lag = 0.5 * self.step_size / self.substeps;
         let steering = match &mut self.attitudes {
             None => &[][..],
             Some(attitudes) => {
                 // Where nothing is touched these are the velocities at the end of the step.
                 for (i, next) in self.next.1.iter_mut().enumerate() {
-                    *next = self.engine_velocities[i] + self.applied[i] * (self.step_size + lag);
+                    *next = self.engine_velocities[i]
+                        + self.applied[i] * self.step_size
+                        + self.ahead[i];
                 }
                 attitudes.steer(&self.velocities, &self.next.1)
             }
@@ -177,7 +189,7 @@ impl<const D: usize> Bodies<D> {
         let (positions, velocities) = &mut self.next;
         self.physics.read(positions, &mut self.engine_velocities);
         for (i, velocity) in velocities.iter_mut().enumerate() {
-            *velocity = self.engine_velocities[i] + self.applied[i] * lag;
+            *velocity = self.engine_velocities[i] + self.ahead[i];
         }
         for touch in &self.touches {
             velocities[touch.agent] = self.engine_velocities[touch.agent];
@@ -261,6 +273,16 @@ impl<const D: usize> Bodies<D> {
         self.step as f64 * self.step_size
     }
 
+    /// How long ago the engine's velocities were those of the bodies: half a substep.
+    fn lag(&self) -> f64 {
+        0.5 * self.step_size / self.substeps
+    }
+
+    /// The share of a step from now to the middle of what the engine's velocities span.
+    fn lead(&self) -> f64 {
+        (self.substeps - 1.0) / (2.0 * self.substeps)
+    }
+
     /// The state now, as laws see it.
     pub fn state(&self) -> State<'_, D> {
         State {
@@ -293,29 +315,53 @@ impl<const D: usize> Bodies<D> {
 
     fn ask(&mut self, flock: &mut Flock<D>) {
         let mut wanted = std::mem::take(&mut self.wanted);
-        flock.accelerations(&self.state(), &mut wanted);
+        flock.forces(&self.state(), &mut wanted);
         self.wanted = wanted;
         if self.step == 0 {
             self.wanted_before.clone_from(&self.wanted);
+        }
+        if flock.relaxes() {
+            // Influences in the middle of what the engine's velocities span.
+            let ahead = self.lead() * self.step_size;
+            let places = self.positions.iter().zip(&self.velocities);
+            let positions: Vec<_> = places.map(|(x, v)| x + v * ahead).collect();
+            let mut pulls = std::mem::take(&mut self.pulls);
+            let positions = &positions;
+            let state = State {
+                positions,
+                ..self.state()
+            };
+            flock.pulls(&state, &mut pulls);
+            self.pulls = pulls;
         }
     }
 
     /// Turns what the laws ask for into forces within the actuators' limits.
     fn decide(&mut self) -> Result<(), Failure> {
-        let lead = (self.substeps - 1.0) / (2.0 * self.substeps);
-        // From the engine's velocity to that read at the end of the step.
-        let span = self.step_size * (1.0 + 0.5 / self.substeps);
-        for i in 0..self.wanted.len() {
-            let wanted = self.wanted[i] + (self.wanted[i] - self.wanted_before[i]) * lead;
+        let lead = self.lead();
+        let wanted = self.wanted.iter().zip(&self.wanted_before);
+        let mut wanted: Vec<_> = wanted.map(|(now, old)| now + (now - old) * lead).collect();
+        let relaxed = self.relax(&mut wanted);
+        let lag = self.lag();
+        // From the engine's velocity to that read at the end of the step; what relaxes
+        // gets no faster after the engine's step.
+        let span = match relaxed {
+            None => self.step_size + lag,
+            Some(_) => self.step_size,
+        };
+        for (i, wanted) in wanted.iter().enumerate() {
             let mass = self.masses[i];
             let coasting = self.engine_velocities[i] + self.gravity * span;
             let before = (self.step > 0).then_some(self.pushes[i]);
             let gain = span / mass;
-            self.pushes[i] = self
-                .actuators
-                .act(i, wanted * mass, before, &coasting, gain);
+            let asked = wanted * mass;
+            self.pushes[i] = self.actuators.act(i, asked, before, &coasting, gain);
             self.forces[i] = self.pushes[i] + self.gravity * mass;
             self.applied[i] = self.forces[i] / mass;
+            self.ahead[i] = match &relaxed {
+                Some(ahead) if self.pushes[i] == asked => ahead[i],
+                _ => self.applied[i] * lag,
+            };
             // Squared speeds must stay finite as well, or the engine stops the body.
             let speed_gained = self.applied[i] * self.step_size;
             if !(speed_gained.norm_squared() + self.forces[i].norm_squared()).is_finite() {
@@ -327,6 +373,26 @@ impl<const D: usize> Bodies<D> {
             }
         }
         Ok(())
+    }
+
+    /// Turns the accelerations wanted by the other laws into those that take the engine's
+    /// velocities, with the pulls, to where they relax to over the step; and tells how the
+    /// velocities relax on from there to the end of the step. Nothing where nothing pulls.
+    fn relax(&self, wanted: &mut [Vector<D>]) -> Option<Vec<Vector<D>>> {
+        if self.pulls.is_empty() {
+            return None;
+        }
+        let drift: Vec<_> = wanted.iter().map(|wanted| wanted + self.gravity).collect();
+        let lag = self.lag();
+        // At the start the engine's velocities are those of the bodies.
+        let first = self.step_size - if self.step == 0 { lag } else { 0.0 };
+        let from = &self.engine_velocities;
+        let to = relax(&self.pulls, from, &drift, first);
+        let end = relax(&self.pulls, &to, &drift, lag);
+        for (i, wanted) in wanted.iter_mut().enumerate() {
+            *wanted = (to[i] - from[i]) / self.step_size - self.gravity;
+        }
+        Some(end.iter().zip(&to).map(|(end, to)| end - to).collect())
     }
 
     /// Reads the contacts of the step just taken; positions and velocities are still

@@ -6,6 +6,7 @@
 mod actuator;
 mod attitude;
 mod bodies;
+mod relaxation;
 
 pub use actuator::Cuts;
 pub use bodies::{Bodies, BodiesState, Failure};

@@ -1,8 +1,10 @@
 //! A flock: the sum of its laws.
 
+use std::borrow::Borrow;
+
 use rayon::prelude::*;
 
-use crate::law::{Law, build};
+use crate::law::{Law, Pulls, build};
 use crate::math::{Matrix, Vector, mean};
 use crate::sense::{CHUNK, Cells, History, PARALLEL_FROM, Perception, Scene, Senses};
 use crate::shape::Obstacle;
@@ -96,6 +98,38 @@ impl<const D: usize> Flock<D> {
     /// Each agent's sum is taken in a fixed order, so the result does not depend on
     /// the number of threads.
     pub fn accelerations(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
+        self.remember(state);
+        self.add_up(|_, _| true, state, out);
+    }
+
+    /// As [`Flock::accelerations`], without the laws that relax: their pulls are
+    /// integrated apart, see [`Flock::pulls`].
+    pub fn forces(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
+        self.remember(state);
+        self.add_up(|_, law| !law.relaxes(), state, out);
+    }
+
+    /// Whether some law relaxes.
+    pub fn relaxes(&self) -> bool {
+        self.laws.iter().any(|law| law.relaxes())
+    }
+
+    /// Writes the pulls of the laws that relax into `pulls`. Nothing is written into the
+    /// history.
+    pub fn pulls(&mut self, state: &State<'_, D>, pulls: &mut Pulls<D>) {
+        self.pulls_of(|_, law| law.relaxes(), state, pulls);
+    }
+
+    /// The pulls of law number `law`; nothing where it has none. Nothing is written into
+    /// the history.
+    pub fn pulls_of_law(&mut self, law: usize, state: &State<'_, D>) -> Pulls<D> {
+        let mut pulls = Pulls::default();
+        self.pulls_of(|index, _| index == law, state, &mut pulls);
+        pulls
+    }
+
+    /// Writes the state into the history, for agents that see late.
+    fn remember(&mut self, state: &State<'_, D>) {
         if let Some(senses) = &self.senses {
             self.history.record(
                 senses.step_at(state.time),
@@ -105,7 +139,6 @@ impl<const D: usize> Flock<D> {
                 state.rotations,
             );
         }
-        self.add_up(0..self.laws.len(), state, out);
     }
 
     /// The acceleration that each law alone gives each agent, by name of the law. Nothing
@@ -114,7 +147,7 @@ impl<const D: usize> Flock<D> {
         let mut by_law = Vec::new();
         for law in 0..self.laws.len() {
             let mut out = vec![Vector::zeros(); state.positions.len()];
-            self.add_up(law..law + 1, state, &mut out);
+            self.add_up(|index, _| index == law, state, &mut out);
             by_law.push((self.laws[law].name().to_owned(), out));
         }
         by_law
@@ -139,24 +172,45 @@ impl<const D: usize> Flock<D> {
         links
     }
 
-    /// Sums some of the laws over all agents.
-    fn add_up(
+    /// The pulls of some of the laws, agent by agent in the order of the cells.
+    fn pulls_of(
         &mut self,
-        laws: std::ops::Range<usize>,
+        chosen: impl Fn(usize, &dyn Law<D>) -> bool,
         state: &State<'_, D>,
-        out: &mut [Vector<D>],
+        pulls: &mut Pulls<D>,
     ) {
-        let laws = &mut self.laws[laws];
+        let mut laws = choose(&mut self.laws, chosen);
         let scene = self.stage.scene(
             state,
-            range_and_side(laws),
+            range_and_side(&laws),
             self.senses.as_ref(),
             &self.history,
         );
-        for law in &mut *laws {
+        pulls.clear();
+        for law in &mut laws {
+            law.prepare(&scene);
+            pulls.add(&***law, &scene);
+        }
+    }
+
+    /// Sums some of the laws over all agents.
+    fn add_up(
+        &mut self,
+        chosen: impl Fn(usize, &dyn Law<D>) -> bool,
+        state: &State<'_, D>,
+        out: &mut [Vector<D>],
+    ) {
+        let mut laws = choose(&mut self.laws, chosen);
+        let scene = self.stage.scene(
+            state,
+            range_and_side(&laws),
+            self.senses.as_ref(),
+            &self.history,
+        );
+        for law in &mut laws {
             law.prepare(&scene);
         }
-        let laws = &*laws;
+        let laws = &laws;
         self.accelerations.clear();
         self.accelerations.resize(out.len(), Vector::zeros());
         let add = |(chunk, out): (usize, &mut [Vector<D>])| {
@@ -177,10 +231,21 @@ impl<const D: usize> Flock<D> {
     }
 }
 
+/// Some of the laws.
+fn choose<const D: usize>(
+    laws: &mut [Box<dyn Law<D>>],
+    chosen: impl Fn(usize, &dyn Law<D>) -> bool,
+) -> Vec<&mut Box<dyn Law<D>>> {
+    let laws = laws.iter_mut().enumerate();
+    laws.filter(|(index, law)| chosen(*index, &***law))
+        .map(|(_, law)| law)
+        .collect()
+}
+
 /// The largest distance at which some laws look for neighbours, and the side of cells that
 /// suits them: their largest finite range, for a search of all pairs looks into every cell.
-fn range_and_side<const D: usize>(laws: &[Box<dyn Law<D>>]) -> [f64; 2] {
-    let ranges = || laws.iter().map(|law| law.range());
+fn range_and_side<const D: usize>(laws: &[impl Borrow<Box<dyn Law<D>>>]) -> [f64; 2] {
+    let ranges = || laws.iter().map(|law| law.borrow().range());
     let finite = ranges()
         .filter(|range| range.is_finite())
         .fold(0.0, f64::max);

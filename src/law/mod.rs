@@ -17,7 +17,7 @@ pub use flock::{Flock, State};
 pub use heading_consensus::HeadingConsensus;
 pub use navigation::Navigation;
 pub use obstacle_avoidance::ObstacleAvoidance;
-pub use pull::{Link, Pull};
+pub use pull::{Link, Pull, Pulls, Row};
 pub use scoped::Scoped;
 
 use crate::math::Vector;

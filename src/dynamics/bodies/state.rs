@@ -22,6 +22,7 @@ pub struct BodiesState<const D: usize> {
     pushes: Vec<Vector<D>>,
     forces: Vec<Vector<D>>,
     applied: Vec<Vector<D>>,
+    ahead: Vec<Vector<D>>,
     cuts: Cuts,
 }
 
@@ -44,8 +45,9 @@ impl<const D: usize> Bodies<D> {
             &state.pushes,
             &state.forces,
             &state.applied,
+            &state.ahead,
         ];
-        if lists.map(Vec::len) != [agents; 7] {
+        if lists.map(Vec::len) != [agents; 8] {
             return Err(Unusable("it has another number of agents".to_owned()));
         }
         let physics = <In<D> as Engine<D>>::restore(world, &state.engine)?;
@@ -58,6 +60,7 @@ impl<const D: usize> Bodies<D> {
             pushes: state.pushes,
             forces: state.forces,
             applied: state.applied,
+            ahead: state.ahead,
             ..Self::around(physics, world)
         };
         bodies.actuators.resume(state.cuts);
@@ -91,6 +94,7 @@ impl<const D: usize> Bodies<D> {
             pushes,
             forces,
             applied,
+            ahead,
             actuators,
             // Part of the world, and of the time.
             groups: _,
@@ -104,6 +108,7 @@ impl<const D: usize> Bodies<D> {
             engine_velocities: _,
             // Computed anew in every step.
             next: _,
+            pulls: _,
             touches: _,
         } = self;
         Ok(BodiesState {
@@ -117,6 +122,7 @@ impl<const D: usize> Bodies<D> {
             pushes: pushes.clone(),
             forces: forces.clone(),
             applied: applied.clone(),
+            ahead: ahead.clone(),
             cuts: actuators.cuts(),
         })
     }
