@@ -66,13 +66,13 @@ impl<'a, const D: usize> Linear<'a, D> {
             .unwrap_or_else(|| self.doubled(mean, velocities))
     }
 
-    /// The acceleration Q v + b of each agent.
-    fn slope(&self, velocities: &[Vector<D>]) -> Vec<Vector<D>> {
-        let mut slope = self.drift.to_vec();
+    /// What the pulls alone accelerate each agent by at these velocities.
+    fn pulled(&self, velocities: &[Vector<D>]) -> Vec<Vector<D>> {
+        let mut pulled = vec![Vector::zeros(); velocities.len()];
         for (row, rate) in self.pulls.rows().iter().zip(self.rates) {
-            slope[row.agent] += self.pulls.drive(row, velocities) * *rate;
+            pulled[row.agent] += self.pulls.drive(row, velocities) * *rate;
         }
-        slope
+        pulled
     }
 
     /// P x, written into `out`.
@@ -89,41 +89,52 @@ impl<'a, const D: usize> Linear<'a, D> {
     }
 
     /// The sum, term by term; `None` where more than `most` would be needed.
+    ///
+    /// What the pulls add and what drifts besides are summed apart: the first tends to
+    /// terms that are all zero, and what rounding leaves of them must not count as a drift.
     fn summed(&self, mean: f64, velocities: &[Vector<D>], most: usize) -> Option<Vec<Vector<D>>> {
         // Of a mean this far above, every tail that is asked for is 1.
         let tails = (mean <= 4.0 * most as f64).then(|| Tails::new(mean));
         let mut sum = velocities.to_vec();
-        let mut term = self.slope(velocities);
-        term.iter_mut().for_each(|term| *term /= self.fastest);
-        let mut next = term.clone();
-        let size = velocities.iter().chain(&term).map(Vector::amax);
-        let size = size.fold(0.0, f64::max);
-        for k in 0..most {
-            let (tail, left) = match &tails {
-                Some(tails) => (tails.tail(k), tails.sum_from(k)),
-                None => (1.0, mean - k as f64),
-            };
-            if left == 0.0 {
-                return Some(sum);
+        let size = velocities.iter().map(Vector::amax).fold(0.0, f64::max);
+        for (drifts, mut term) in [
+            (false, self.pulled(velocities)),
+            (self.closed, self.drift.to_vec()),
+        ] {
+            term.iter_mut().for_each(|term| *term /= self.fastest);
+            let largest = term.iter().map(Vector::amax).fold(0.0, f64::max);
+            let small = ROUNDING * (size + if drifts { largest * mean } else { largest });
+            let mut next = term.clone();
+            let mut done = false;
+            for k in 0..most {
+                let (tail, left) = match &tails {
+                    Some(tails) => (tails.tail(k), tails.sum_from(k)),
+                    None => (1.0, mean - k as f64),
+                };
+                // If all terms from here on were the same, how far would the sum be off?
+                let same = if self.closed {
+                    term[0]
+                } else {
+                    Vector::zeros()
+                };
+                let apart = term.iter().map(|term| (term - same).amax());
+                if apart.fold(0.0, f64::max) * left <= small {
+                    let rest = if drifts { same * left } else { Vector::zeros() };
+                    sum.iter_mut().for_each(|sum| *sum += rest);
+                    done = true;
+                    break;
+                }
+                for (sum, term) in sum.iter_mut().zip(&term) {
+                    *sum += term * tail;
+                }
+                self.apply(&term, &mut next);
+                std::mem::swap(&mut term, &mut next);
             }
-            // If all terms from here on were the same, how far would the sum be off?
-            let same = if self.closed {
-                term[0]
-            } else {
-                Vector::zeros()
-            };
-            let apart = term.iter().map(|term| (term - same).amax());
-            if apart.fold(0.0, f64::max) * left <= ROUNDING * size {
-                sum.iter_mut().for_each(|sum| *sum += same * left);
-                return Some(sum);
+            if !done {
+                return None;
             }
-            for (sum, term) in sum.iter_mut().zip(&term) {
-                *sum += term * tail;
-            }
-            self.apply(&term, &mut next);
-            std::mem::swap(&mut term, &mut next);
         }
-        None
+        Some(sum)
     }
 
     /// The solution over a part of the time short enough for a few terms, doubled until the
@@ -147,9 +158,10 @@ impl<'a, const D: usize> Linear<'a, D> {
             }
             pushes[(row.agent, D)] += row.told_weight * share;
         }
-        for (i, slope) in self.slope(&vec![Vector::zeros(); n]).iter().enumerate() {
+        let told = self.pulled(&vec![Vector::zeros(); n]);
+        for (i, (told, drift)) in told.iter().zip(self.drift).enumerate() {
             for axis in 0..D {
-                pushes[(i, axis)] = slope[axis] / self.fastest;
+                pushes[(i, axis)] = (told[axis] + drift[axis]) / self.fastest;
             }
         }
         let tails = Tails::new(part);
