@@ -290,16 +290,16 @@ fn what_is_no_checkpoint_is_refused() {
     let other = forged(7, "volary 9.9.9 on m68k amigaos\n", b"");
     assert_eq!(
         message(&other),
-        "some.ckpt has version 7 of the checkpoint format; only version 1 is supported"
+        "some.ckpt has version 7 of the checkpoint format; only version 2 is supported"
     );
-    let other = message(&forged(1, "volary 9.9.9 on m68k amigaos\n", b""));
+    let other = message(&forged(2, "volary 9.9.9 on m68k amigaos\n", b""));
     assert!(
         other
             .starts_with("some.ckpt was made by volary 9.9.9 on m68k amigaos, and this is volary "),
         "{other}"
     );
-    assert!(message(&forged(1, "volary", b"")).contains("does not name its program"));
-    assert!(message(&forged(1, "", b"")).contains("does not name its program"));
+    assert!(message(&forged(2, "volary", b"")).contains("does not name its program"));
+    assert!(message(&forged(2, "", b"")).contains("does not name its program"));
 }
 
 #[test]
@@ -357,8 +357,8 @@ proptest! {
         let whole = BYTES.with(Vec::clone);
         let end = 34 + whole[34..].iter().position(|&byte| byte == b'\n').unwrap() + 1;
         let program = String::from_utf8(whole[34..end].to_vec()).unwrap();
-        prop_assert!(read(&forged(1, &program, &whole[end..])).is_ok());
-        let found = read(&forged(1, &program, &content));
+        prop_assert!(read(&forged(2, &program, &whole[end..])).is_ok());
+        let found = read(&forged(2, &program, &content));
         prop_assert!(matches!(found, Err(CheckpointError::Unusable { .. })), "{:?}", found);
     }
 }

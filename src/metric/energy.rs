@@ -13,7 +13,9 @@ pub fn relative_kinetic_energy<const D: usize>(velocities: &[Vector<D>]) -> f64 
 /// ½ Σ m_i |v_i|²: what the energy J of Shi, Wang & Chu has beside its potentials.
 pub fn kinetic_energy<const D: usize>(masses: &[f64], velocities: &[Vector<D>]) -> f64 {
     let energies = masses.iter().zip(velocities);
-    0.5 * energies.map(|(mass, v)| mass * v.norm_squared()).sum::<f64>()
+    0.5 * energies
+        .map(|(mass, v)| mass * v.norm_squared())
+        .sum::<f64>()
 }
 
 /// E = max_i ½ |v_i|²: Djokam & Rathinam, Lemma 1; 0 without agents.
@@ -45,7 +47,10 @@ mod tests {
         assert_eq!(largest_kinetic_energy(&velocities), 4.5);
         // Each is half their difference, of length √10, away from the mean.
         assert!((relative_kinetic_energy(&velocities) - 2.5).abs() < 1e-15);
-        assert_eq!(center_of_mass(&masses, &velocities), Vector::<2>::new(1.0, 2.0 / 3.0));
-        assert_eq!(center_of_mass(&[], &[]), Vector::<2>::zeros());
+        assert_eq!(
+            center_of_mass(&masses, &velocities),
+            Vector::<2>::new(1.0, 2.0 / 3.0)
+        );
+        assert_eq!(center_of_mass::<2>(&[], &[]), Vector::<2>::zeros());
     }
 }

@@ -3,22 +3,28 @@
 mod collision;
 mod correlation;
 mod diameter;
+mod energy;
 mod gap;
+mod influence;
 mod lattice;
 mod ledger;
 mod milling;
 mod net_record;
 mod order;
+mod pattern;
 
 pub use collision::{collision_ratio, obstacle_safety, safety};
 pub use correlation::{cluster_correlation, order};
 pub use diameter::diameter;
+pub use energy::{center_of_mass, kinetic_energy, largest_kinetic_energy, relative_kinetic_energy};
 pub use gap::{agent_gap, obstacle_gap};
+pub use influence::Influences;
 pub use lattice::{deviation_energy, union};
 pub use ledger::Ledger;
 pub use milling::{milling, rotation};
 pub use net_record::NetAnalysis;
 pub use order::{polarization, velocity_mismatch};
+pub use pattern::{ball_residual, line_residual};
 
 use crate::dynamics::Snapshot;
 use crate::math::{Vector, mean};

@@ -75,6 +75,7 @@ impl<const D: usize> Simulation<D> {
                 .flatten()
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
+            laws: None,
             obstacles: obstacle_poses(state.obstacles),
         }
     }

@@ -5,6 +5,10 @@
 //! Vectors are arrays of D numbers; agents and obstacles are named by their index
 //! in the header. Numbers read back bit for bit.
 
+mod laws;
+
+pub use laws::{InfluenceRecord, LawRecord, LawsRecord};
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -103,6 +107,9 @@ pub struct Frame {
     /// that perceives first; sorted. Scopes are not regarded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub links: Option<Vec<[usize; 2]>>,
+    /// What the laws' own quantities are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub laws: Option<Box<LawsRecord>>,
     /// Where the moving obstacles are; absent where none moves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub obstacles: Option<Vec<ObstaclePose>>,

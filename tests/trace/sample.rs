@@ -86,6 +86,30 @@ pub fn net() -> NetRecord {
     }
 }
 
+fn laws() -> LawsRecord {
+    LawsRecord {
+        mean_position: vec![0.1, -0.0],
+        mean_velocity: vec![1.0, 2.0],
+        mass_center: vec![5e-324, 3.0],
+        mass_velocity: vec![0.0, 0.5],
+        largest_kinetic_energy: 4.5,
+        potential: None,
+        energy: None,
+        total_energy: Some(0.25),
+        steering_diameter: 0.0,
+        laws: vec![LawRecord {
+            law: "own".to_owned(),
+            influence: Some(InfluenceRecord {
+                least: 0.1,
+                active: Some(2),
+                imbalance: 0.0,
+                connectivity: None,
+            }),
+            ..LawRecord::default()
+        }],
+    }
+}
+
 pub fn frame(step: u64) -> Frame {
     Frame {
         step,
@@ -112,6 +136,7 @@ pub fn frame(step: u64) -> Frame {
         edges: Some(vec![[0, 1]]),
         net: Some(Box::new(net())),
         links: Some(vec![[0, 1], [1, 0]]),
+        laws: Some(Box::new(laws())),
         obstacles: Some(vec![ObstaclePose {
             obstacle: 0,
             position: vec![0.5, -0.0],

@@ -164,6 +164,14 @@ pub struct RecordSpec {
     pub net: bool,
     /// Record the links: who perceives whom within the largest range of the laws.
     pub links: bool,
+    /// Record what the laws are about: energies, centres, distances from patterns and
+    /// targets, influences. Its cost grows with the square of the number of agents, that of
+    /// alignment laws with its cube.
+    pub laws: bool,
+    /// A threshold θ of influence: with `laws`, count the agents of the global active set,
+    /// those whose influence on everyone is at least θ; Djokam & Rathinam, (3.5).
+    #[schemars(range(min = 0))]
+    pub active_at: Option<f64>,
 }
 
 impl Default for RecordSpec {
@@ -176,6 +184,8 @@ impl Default for RecordSpec {
             edges: false,
             net: false,
             links: false,
+            laws: false,
+            active_at: None,
         }
     }
 }
