@@ -7,6 +7,7 @@ mod bump;
 mod gain;
 mod normal;
 mod time_function;
+mod trajectory;
 mod turn;
 
 pub use action::Action;
@@ -16,6 +17,7 @@ pub use bump::Bump;
 pub use gain::{Gain, shortened};
 pub use normal::normal_quantile;
 pub use time_function::{Interpolation, TimeFunction};
+pub use trajectory::{Moment, Spline, Trajectory, plane_across};
 pub use turn::{sin_cos, sin_cos_of_turns};
 
 /// A vector of the `D`-dimensional world.
