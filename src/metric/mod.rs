@@ -12,6 +12,7 @@ mod milling;
 mod net_record;
 mod order;
 mod pattern;
+mod tracking;
 
 pub use collision::{collision_ratio, obstacle_safety, safety};
 pub use correlation::{cluster_correlation, order};
@@ -25,6 +26,7 @@ pub use milling::{milling, rotation};
 pub use net_record::NetAnalysis;
 pub use order::{polarization, velocity_mismatch};
 pub use pattern::{ball_residual, line_residual};
+pub use tracking::target_errors;
 
 use crate::dynamics::Snapshot;
 use crate::math::{Vector, mean};
