@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::law::Pulls;
+use crate::net::Adjacency;
 
 /// The influences a_ij of one alignment law, a row for each agent that it acts on.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,17 @@ impl Influences {
     /// The influences, the row of agent i holding what influences it.
     pub fn matrix(&self) -> &DMatrix<f64> {
         &self.matrix
+    }
+
+    /// The influences between different agents, as a graph of the rows.
+    pub fn adjacency(&self) -> Adjacency {
+        let row = |row: nalgebra::RowDVector<f64>| row.iter().copied().enumerate().collect();
+        Adjacency::new(
+            self.matrix
+                .row_iter()
+                .map(|it| row(it.into_owned()))
+                .collect(),
+        )
     }
 
     /// The least influence: the largest θ with every agent in the global active set; 0 without

@@ -67,6 +67,6 @@ pub use links::LinkChanges;
 pub use planarity::is_planar;
 pub use realisation::{defect, is_realisation, normalised_defect, realisation_error};
 pub use rigidity::{RANK_TOLERANCE, Rigidity};
-pub use spectrum::algebraic_connectivity;
+pub use spectrum::{algebraic_connectivity, symmetric_connectivity};
 pub use uniform::Net;
 pub use vote::{Verdict, Vote, vote_weight, votes};
