@@ -6,6 +6,7 @@ mod angle;
 mod bump;
 mod gain;
 mod normal;
+mod time_function;
 mod turn;
 
 pub use action::Action;
@@ -14,6 +15,7 @@ pub use angle::{angle_between, turn_between};
 pub use bump::Bump;
 pub use gain::{Gain, shortened};
 pub use normal::normal_quantile;
+pub use time_function::{Interpolation, TimeFunction};
 pub use turn::{sin_cos, sin_cos_of_turns};
 
 /// A vector of the `D`-dimensional world.

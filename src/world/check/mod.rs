@@ -7,6 +7,7 @@ mod law;
 mod obstacle;
 mod sensing;
 mod start;
+mod time_function;
 
 pub use law::velocity_to_follow;
 

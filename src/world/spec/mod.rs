@@ -14,6 +14,7 @@ mod obstacle;
 mod scope;
 mod sensing;
 mod start;
+mod time_function;
 mod values;
 
 use schemars::JsonSchema;
@@ -33,6 +34,7 @@ pub use start::{
     BallSpec, BoxSpec, GridSpec, HexagonalSpec, LineSpec, OutwardSpec, PlacementSpec, RotatingSpec,
     VelocityBallSpec, VelocityBoxSpec, VelocitySpec,
 };
+pub use time_function::{InterpolationSpec, TimeFunctionSpec, VaryingSpec};
 pub use values::{ActsAs, Values, spread};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
