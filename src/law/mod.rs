@@ -4,6 +4,7 @@
 //! order does not matter but for rounding. To add one: write its file, add its
 //! parameters to [`LawSpec`] and its line to [`build`].
 
+mod alignment;
 mod alpha_interaction;
 mod flock;
 mod heading_consensus;
@@ -12,6 +13,7 @@ mod obstacle_avoidance;
 mod pull;
 mod scoped;
 
+pub use alignment::Alignment;
 pub use alpha_interaction::AlphaInteraction;
 pub use flock::{Flock, State};
 pub use heading_consensus::HeadingConsensus;
@@ -53,6 +55,10 @@ pub trait Law<const D: usize>: Send + Sync {
         false
     }
 
+    /// Calls `visit` with every agent of the scene whose influence on agent `i` something in
+    /// the line of sight weakens or blocks; none where the law does not look.
+    fn blocked(&self, _scene: &Scene<'_, D>, _i: usize, _visit: &mut dyn FnMut(usize)) {}
+
     /// Adds the law's acceleration of the agents `first`, `first + 1`, … to `out`, one
     /// entry for each. Must be the same however the agents are split into calls.
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]);
@@ -75,7 +81,7 @@ pub fn build<const D: usize>(world: &World<D>) -> Vec<Box<dyn Law<D>>> {
 /// A law without its scope; nothing for a scope itself, which no checked world has here.
 fn one<const D: usize>(
     spec: &LawSpec,
-    _scope: Option<&ScopeSpec>,
+    scope: Option<&ScopeSpec>,
     world: &World<D>,
 ) -> Option<Box<dyn Law<D>>> {
     Some(match spec {
@@ -83,6 +89,7 @@ fn one<const D: usize>(
         LawSpec::ObstacleAvoidance(spec) => Box::new(ObstacleAvoidance::new(spec, world)),
         LawSpec::Navigation(spec) => Box::new(Navigation::new(spec)),
         LawSpec::HeadingConsensus(spec) => Box::new(HeadingConsensus::new(spec)),
+        LawSpec::Alignment(spec) => Box::new(Alignment::new(spec, scope, world)),
         LawSpec::Scope(_) => return None,
     })
 }

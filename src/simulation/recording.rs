@@ -75,6 +75,7 @@ impl<const D: usize> Simulation<D> {
                 .flatten()
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
+            blocked: (world.spec.record.blocked).then(|| self.flock.blocked(&self.bodies.state())),
             obstacles: obstacle_poses(state.obstacles),
         }
     }

@@ -112,6 +112,7 @@ pub fn frame(step: u64) -> Frame {
         edges: Some(vec![[0, 1]]),
         net: Some(Box::new(net())),
         links: Some(vec![[0, 1], [1, 0]]),
+        blocked: step.is_multiple_of(2).then(|| vec![[1, 0]]),
         obstacles: Some(vec![ObstaclePose {
             obstacle: 0,
             position: vec![0.5, -0.0],

@@ -105,6 +105,9 @@ impl Check {
             }
             LawSpec::Navigation(law) => self.navigation(&format!("{path}.navigation"), law),
             LawSpec::HeadingConsensus(_) => {}
+            LawSpec::Alignment(law) => {
+                self.alignment(&format!("{path}.alignment"), law, scope, world);
+            }
             LawSpec::Scope(_) => {
                 let problem = Problem::with_name(format!("{path}.scope"), "is inside a scope");
                 self.problems

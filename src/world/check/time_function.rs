@@ -80,7 +80,7 @@ impl Check {
     }
 
     /// Numbers in lists must stay finite when multiplied; the schema looks at fields only.
-    fn numbers(&mut self, path: &str, numbers: &[f64]) {
+    pub(super) fn numbers(&mut self, path: &str, numbers: &[f64]) {
         if !numbers.iter().all(|x| x.abs() <= LARGEST) {
             let problem = Problem::new(path, "holds a number too large to compute with");
             self.problems.push(problem.allowed("-1e100 to 1e100"));

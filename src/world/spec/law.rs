@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::ScopeSpec;
+use super::{AlignmentSpec, ScopeSpec};
 use crate::math::{Action, AlphaPair, Bump, Fade};
 
 /// One law: a term of the sum that accelerates the agents.
@@ -19,6 +19,9 @@ pub enum LawSpec {
     Navigation(NavigationSpec),
     /// Turning to the neighbours' headings: attitude alignment.
     HeadingConsensus(HeadingConsensusSpec),
+    /// Velocity alignment: the models of Cucker and Smale, Motsch and Tadmor, Djokam and
+    /// Rathinam.
+    Alignment(AlignmentSpec),
     /// Laws for some groups only.
     Scope(ScopeSpec),
 }

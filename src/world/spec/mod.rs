@@ -8,6 +8,8 @@
 //! masses are whatever the laws' parameters are measured in.
 
 mod agents;
+mod alignment;
+mod graph;
 mod law;
 mod motion;
 mod obstacle;
@@ -21,6 +23,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use agents::{BodyShapeSpec, GroupSpec, HeadingSpec, PerAgent, TorqueSpec, TurnSpec};
+pub use alignment::{
+    AlignmentSpec, GainSpec, KernelSpec, LineOfSightSpec, MaskingSpec, NormalisationSpec,
+    OpenLoopSpec, OrientationSpec, RelaxationSpec, VaryingGainSpec,
+};
+pub use graph::GraphSpec;
 pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
     LawSpec, NavigationSpec, ObstacleAvoidanceSpec, Steered,
@@ -166,6 +173,8 @@ pub struct RecordSpec {
     pub net: bool,
     /// Record the links: who perceives whom within the largest range of the laws.
     pub links: bool,
+    /// Record the blocked lines of sight of alignment laws that regard them.
+    pub blocked: bool,
 }
 
 impl Default for RecordSpec {
@@ -178,6 +187,7 @@ impl Default for RecordSpec {
             edges: false,
             net: false,
             links: false,
+            blocked: false,
         }
     }
 }
