@@ -172,6 +172,27 @@ impl<const D: usize> Flock<D> {
         links
     }
 
+    /// The lines of sight in which something weakens or blocks an influence, for some law, as
+    /// pairs of agents, the one that looks first; sorted.
+    pub fn blocked(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
+        let ranges = range_and_side(&self.laws);
+        let scene = self
+            .stage
+            .scene(state, ranges, self.senses.as_ref(), &self.history);
+        let mut blocked = Vec::new();
+        for law in &mut self.laws {
+            law.prepare(&scene);
+            for (i, &agent) in scene.agents.iter().enumerate() {
+                law.blocked(&scene, i, &mut |other| {
+                    blocked.push([agent as usize, scene.agents[other] as usize]);
+                });
+            }
+        }
+        blocked.sort_unstable();
+        blocked.dedup();
+        blocked
+    }
+
     /// The pulls of some of the laws, agent by agent in the order of the cells.
     fn pulls_of(
         &mut self,

@@ -4,6 +4,7 @@
 //! order does not matter but for rounding. To add one: write its file, add its
 //! parameters to [`LawSpec`] and its line to [`build`].
 
+mod alignment;
 mod alpha_interaction;
 mod flatness;
 mod flock;
@@ -16,6 +17,7 @@ mod steering;
 mod targets;
 mod tracking;
 
+pub use alignment::Alignment;
 pub use alpha_interaction::AlphaInteraction;
 pub use flatness::Flatness;
 pub use flock::{Flock, State};
@@ -61,6 +63,10 @@ pub trait Law<const D: usize>: Send + Sync {
         false
     }
 
+    /// Calls `visit` with every agent of the scene whose influence on agent `i` something in
+    /// the line of sight weakens or blocks; none where the law does not look.
+    fn blocked(&self, _scene: &Scene<'_, D>, _i: usize, _visit: &mut dyn FnMut(usize)) {}
+
     /// Adds the law's acceleration of the agents `first`, `first + 1`, … to `out`, one
     /// entry for each. Must be the same however the agents are split into calls.
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]);
@@ -103,6 +109,7 @@ fn one<const D: usize>(
         LawSpec::Tracking(spec) => Box::new(Tracking::new(spec, scope, world)),
         LawSpec::Steering(spec) => Box::new(Steering::new(spec, scope, world)),
         LawSpec::Flatness(spec) => Box::new(Flatness::new(spec, scope, world)),
+        LawSpec::Alignment(spec) => Box::new(Alignment::new(spec, scope, world)),
         LawSpec::Scope(_) => return None,
     })
 }

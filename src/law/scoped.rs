@@ -1,6 +1,6 @@
 //! A law for some groups only.
 
-use crate::law::Law;
+use crate::law::{Law, Link, Pull};
 use crate::math::{Vector, mean};
 use crate::sense::Scene;
 use crate::world::spec::{GroupSpec, ScopeSpec};
@@ -68,6 +68,24 @@ impl<const D: usize> Law<D> for Scoped<D> {
         self.means = means;
         let scene = narrowed(scene, means, self.sees.as_deref());
         self.law.prepare(&scene);
+    }
+
+    fn pull(&self, scene: &Scene<'_, D>, i: usize, links: &mut Vec<Link<D>>) -> Option<Pull> {
+        let scene = narrowed(scene, self.means, self.sees.as_deref());
+        self.acts_on(scene.groups[i])
+            .then(|| self.law.pull(&scene, i, links))
+            .flatten()
+    }
+
+    fn relaxes(&self) -> bool {
+        self.law.relaxes()
+    }
+
+    fn blocked(&self, scene: &Scene<'_, D>, i: usize, visit: &mut dyn FnMut(usize)) {
+        if self.acts_on(scene.groups[i]) {
+            let scene = narrowed(scene, self.means, self.sees.as_deref());
+            self.law.blocked(&scene, i, visit);
+        }
     }
 
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {

@@ -16,6 +16,7 @@ pub use noise::LinkDraws;
 pub use perception::Perception;
 pub use scene::{Active, Neighbour, Scene, active_obstacles};
 pub use senses::Senses;
+pub(crate) use sight::body_blocks;
 
 /// Agents handled in one go; few enough to spread over threads, enough to be worth it.
 pub(crate) const CHUNK: usize = 128;

@@ -5,9 +5,8 @@ use rayon::prelude::*;
 use crate::math::{Matrix, Vector, direction};
 use crate::sense::noise::LinkDraws;
 use crate::sense::senses::{Sense, Senses};
-use crate::sense::sight::Sight;
+use crate::sense::sight::{Sight, body_blocks};
 use crate::sense::{CHUNK, Cells, History, Moment, Neighbour, PARALLEL_FROM, Scene, in_view};
-use crate::shape::Pose;
 
 /// The neighbours that each agent of a scene perceives.
 ///
@@ -172,14 +171,11 @@ impl<const D: usize> List<D> {
                 if sense.dropout > 0.0 && draws.is_lost(sense.dropout) {
                     return;
                 }
-                let meets = |other: usize, at: &Vector<D>| {
+                let meets = |other: usize, at: &Vector<D>, radius: f64| {
                     let body = view.place(other);
                     let solid = &senses.solids[scene.groups[body] as usize];
-                    solid.is_ball() || {
-                        let rotation = view.rotations[agent(body)];
-                        let pose = Pose::from_matrix(from + at, rotation);
-                        solid.meets(&pose, from, &(from + offset))
-                    }
+                    let rotation = || view.rotations[agent(body)];
+                    body_blocks(solid, radius, rotation, from, at, &offset)
                 };
                 if sight.is_blocked(scene.obstacles, from, place, &offset, meets) {
                     return;

@@ -1,8 +1,8 @@
 //! Lines of sight.
 
-use crate::math::Vector;
+use crate::math::{Matrix, Vector};
 use crate::sense::Cells;
-use crate::shape::Obstacle;
+use crate::shape::{Obstacle, Pose, Solid};
 
 /// A body that may stand in the way: the agent's index in the order of the cells, and
 /// where it is.
@@ -45,27 +45,41 @@ impl<const D: usize> Sight<D> {
     }
 
     /// Whether something that was noted hides agent number `place` of the cells, which is
-    /// `offset` away from `from`. A line that just touches is blocked. Where the line meets
-    /// the ball about a body, `exactly` tells by its place and offset whether it meets the body.
+    /// `offset` away from `from`. A line that just touches is blocked. `meets` tells by a
+    /// body's place, offset and radius whether it is in the way.
     pub fn is_blocked(
         &self,
         obstacles: &[Obstacle<D>],
         from: &Vector<D>,
         place: usize,
         offset: &Vector<D>,
-        exactly: impl Fn(usize, &Vector<D>) -> bool,
+        meets: impl Fn(usize, &Vector<D>, f64) -> bool,
     ) -> bool {
-        let hides = |&(other, at, radius): &Body<D>| {
-            other != place
-                && squared_distance(&at, offset) <= radius * radius
-                && exactly(other, &at)
-        };
+        let hides = |&(other, at, radius): &Body<D>| other != place && meets(other, &at, radius);
         self.bodies.iter().any(hides) || {
             let to = from + offset;
             let mut near = self.obstacles.iter();
             near.any(|&index| obstacles[index].blocks(from, &to))
         }
     }
+}
+
+/// Whether a body stands in the way from `from` to the point `to` away from it: whether the
+/// segment meets the body whose centre is `at` away. A segment that just touches does. It is
+/// held by a ball of this radius; its rotation is asked for only where that matters.
+pub(crate) fn body_blocks<const D: usize>(
+    solid: &Solid<D>,
+    radius: f64,
+    rotation: impl FnOnce() -> Matrix<D>,
+    from: &Vector<D>,
+    at: &Vector<D>,
+    to: &Vector<D>,
+) -> bool {
+    squared_distance(at, to) <= radius * radius
+        && (solid.is_ball() || {
+            let pose = Pose::from_matrix(from + at, rotation());
+            solid.meets(&pose, from, &(from + to))
+        })
 }
 
 /// Square of the distance of a point from the segment between the origin and `to`.

@@ -76,6 +76,7 @@ impl<const D: usize> Simulation<D> {
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
             laws: None,
+            blocked: (world.spec.record.blocked).then(|| self.flock.blocked(&self.bodies.state())),
             obstacles: obstacle_poses(state.obstacles),
         }
     }

@@ -110,6 +110,11 @@ pub struct Frame {
     /// What the laws' own quantities are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub laws: Option<Box<LawsRecord>>,
+    /// The lines of sight along which at least one body or obstacle weakens or blocks the
+    /// influence, for some alignment law with `line_of_sight`: pairs of agents, the one that
+    /// looks first; sorted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub blocked: Option<Vec<[usize; 2]>>,
     /// Where the moving obstacles are; absent where none moves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub obstacles: Option<Vec<ObstaclePose>>,

@@ -8,6 +8,7 @@ mod agents;
 pub mod check;
 mod describe;
 pub mod document;
+mod graph;
 mod obstacles;
 mod overlap;
 pub mod path;

@@ -12,6 +12,8 @@ pub(super) enum Purpose {
     Positions(usize),
     /// Starting velocities of a group.
     Velocities(usize),
+    /// A graph of influences, by its number.
+    Graph(u32),
 }
 
 /// A reproducible source of random numbers.
@@ -23,6 +25,8 @@ impl Random {
         let stream = match purpose {
             Purpose::Positions(group) => 2 * group as u64,
             Purpose::Velocities(group) => 2 * group as u64 + 1,
+            // Beyond those of any group.
+            Purpose::Graph(number) => (1 << 63) | u64::from(number),
         };
         let mut source = ChaCha8Rng::seed_from_u64(seed);
         source.set_stream(stream);

@@ -137,6 +137,7 @@ pub fn frame(step: u64) -> Frame {
         net: Some(Box::new(net())),
         links: Some(vec![[0, 1], [1, 0]]),
         laws: Some(Box::new(laws())),
+        blocked: step.is_multiple_of(2).then(|| vec![[1, 0]]),
         obstacles: Some(vec![ObstaclePose {
             obstacle: 0,
             position: vec![0.5, -0.0],

@@ -114,6 +114,9 @@ impl Check {
             LawSpec::Flatness(law) => {
                 self.flatness(&format!("{path}.flatness"), law, scope, world);
             }
+            LawSpec::Alignment(law) => {
+                self.alignment(&format!("{path}.alignment"), law, scope, world);
+            }
             LawSpec::Scope(_) => {
                 let problem = Problem::with_name(format!("{path}.scope"), "is inside a scope");
                 self.problems

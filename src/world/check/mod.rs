@@ -3,6 +3,7 @@
 //! schema checks.
 
 mod agents;
+mod alignment;
 mod law;
 mod obstacle;
 mod sensing;

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{FlatnessSpec, ScopeSpec, SteeringSpec, TrackingSpec};
+use super::{AlignmentSpec, FlatnessSpec, ScopeSpec, SteeringSpec, TrackingSpec};
 use crate::math::{Action, AlphaPair, Bump, Fade};
 
 /// One law: a term of the sum that accelerates the agents.
@@ -25,6 +25,9 @@ pub enum LawSpec {
     Steering(SteeringSpec),
     /// Steering along given trajectories, by differential flatness.
     Flatness(FlatnessSpec),
+    /// Velocity alignment: the models of Cucker and Smale, Motsch and Tadmor, Djokam and
+    /// Rathinam.
+    Alignment(AlignmentSpec),
     /// Laws for some groups only.
     Scope(ScopeSpec),
 }

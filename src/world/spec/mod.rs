@@ -8,6 +8,8 @@
 //! masses are whatever the laws' parameters are measured in.
 
 mod agents;
+mod alignment;
+mod graph;
 mod law;
 mod motion;
 mod obstacle;
@@ -23,6 +25,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use agents::{BodyShapeSpec, GroupSpec, HeadingSpec, PerAgent, TorqueSpec, TurnSpec};
+pub use alignment::{
+    AlignmentSpec, GainSpec, KernelSpec, LineOfSightSpec, MaskingSpec, NormalisationSpec,
+    OpenLoopSpec, OrientationSpec, RelaxationSpec, VaryingGainSpec,
+};
+pub use graph::GraphSpec;
 pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
     LawSpec, NavigationSpec, ObstacleAvoidanceSpec, Steered,
@@ -178,6 +185,8 @@ pub struct RecordSpec {
     /// those whose influence on everyone is at least θ; Djokam & Rathinam, (3.5).
     #[schemars(range(min = 0))]
     pub active_at: Option<f64>,
+    /// Record the blocked lines of sight of alignment laws that regard them.
+    pub blocked: bool,
 }
 
 impl Default for RecordSpec {
@@ -192,6 +201,7 @@ impl Default for RecordSpec {
             links: false,
             laws: false,
             active_at: None,
+            blocked: false,
         }
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::PerAgent;
 
 /// The largest angle: π, rounded up to a number that a person writes, 3.1416.
-const HALF_TURN: f64 = (std::f64::consts::PI * 1e4).ceil() / 1e4;
+pub(super) const HALF_TURN: f64 = (std::f64::consts::PI * 1e4).ceil() / 1e4;
 
 /// How the agents of a group perceive others. What is left out limits nothing.
 ///
