@@ -68,8 +68,18 @@ fn in_parts<const D: usize>(
         let whole = part(&now, &first, length);
         let half = part(&now, &first, 0.5 * length);
         let halves = part(&half, &rates(pulls, &half), 0.5 * length);
-        let error = largest_difference(&whole, &halves);
-        let allowed = TOLERANCE * spread(&now) + ROUNDING * largest(&now);
+        let apart = spread(&now);
+        let allowed = TOLERANCE * apart + ROUNDING * largest(&now);
+        // After a part that is far too long all agree, on what the gains were on the way, and
+        // two such parts may agree with each other. The gains at the start tell otherwise.
+        let plain = Linear::new(pulls, &first, drift).after(length, &now);
+        let doubt = largest_difference(&whole, &plain);
+        let doubt = if doubt > allowed {
+            doubt * doubt / apart
+        } else {
+            0.0
+        };
+        let error = largest_difference(&whole, &halves).max(doubt);
         // What is not finite is found by who checks the state.
         if error <= allowed || length <= 1e-12 * time || !error.is_finite() {
             now = halves;
