@@ -11,10 +11,13 @@ use crate::scene::{Dice, accelerations, law, probe, state, world};
 
 const MASSES: [f64; 9] = [1.0, 0.5, 2.0, 1.5, 3.0, 0.7, 1.0, 0.9, 1.2];
 
+/// Something of i, j, positions and velocities.
+type OfPair<'a, const D: usize> = &'a dyn Fn(usize, usize, &[Vector<D>], &[Vector<D>]) -> f64;
+
 /// What a law is made of, written out for plain loops: everything by i, j and the state.
 struct Plain<'a, const D: usize> {
     /// a_ij before normalisation, the diagonal included.
-    influence: &'a dyn Fn(usize, usize, &[Vector<D>], &[Vector<D>]) -> f64,
+    influence: OfPair<'a, D>,
     normalisation: &'a str,
     /// ξ_i(u)/ε, the mass included.
     gain: &'a dyn Fn(usize, f64) -> f64,
