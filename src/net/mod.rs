@@ -9,6 +9,7 @@
 //! | who is joined to whom? | [`Net`], undirected without weights |
 //! | is it one flock? | [`Components`], with density (7) |
 //! | is it balanced? how well connected? | [`Adjacency`], [`algebraic_connectivity`] |
+//! | and where it is directed? | [`is_strongly_connected`], [`symmetric_connectivity`] |
 //! | how much energy is in its structure? | [`structural_potential`], [`structural_energy`] |
 //! | is it a lattice? | [`realisation_error`] (20), [`defect`] (46), [`normalised_defect`] (47) |
 //! | which links came and went? | [`LinkChanges`] |
@@ -49,6 +50,7 @@
 mod adjacency;
 mod components;
 mod crossing;
+mod digraph;
 mod energy;
 mod links;
 pub mod neighborhood;
@@ -62,6 +64,7 @@ mod vote;
 pub use adjacency::Adjacency;
 pub use components::Components;
 pub use crossing::crossings;
+pub use digraph::{is_strongly_connected, symmetric_connectivity};
 pub use energy::{link_energy, potential_gradient, structural_energy, structural_potential};
 pub use links::LinkChanges;
 pub use planarity::is_planar;

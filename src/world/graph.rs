@@ -92,7 +92,8 @@ impl Circulation {
             let other = place + self.below(self.agents.len() - place);
             self.agents.swap(place, other);
         }
-        self.add_cycle(&self.agents[..length].to_vec());
+        let cycle = self.agents[..length].to_vec();
+        self.add_cycle(&cycle);
     }
 
     fn add_missing_arc(&mut self) {

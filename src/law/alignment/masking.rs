@@ -282,6 +282,6 @@ mod tests {
         // On average over all places in the crowd, a small part of its 1600 agents.
         let others = || (0..1600).step_by(7);
         let all: usize = others().map(|j| visits(middle, j)).sum();
-        assert!(all / others().count() < 80, "{}", all / others().count());
+        assert!(all / others().count() < 100, "{}", all / others().count());
     }
 }

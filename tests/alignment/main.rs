@@ -1,0 +1,10 @@
+//! Velocity alignment against the papers' formulas, its symmetries, and what it promises.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod formula;
+mod graph;
+mod promises;
+mod scene;
+mod sight;
