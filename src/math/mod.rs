@@ -7,6 +7,7 @@ mod bump;
 mod gain;
 mod influence;
 mod normal;
+mod potential;
 mod time_function;
 mod turn;
 
@@ -17,6 +18,7 @@ pub use bump::Bump;
 pub use gain::{Gain, shortened};
 pub use influence::Influence;
 pub use normal::normal_quantile;
+pub use potential::Potential;
 pub use time_function::{Interpolation, TimeFunction};
 pub use turn::{sin_cos, sin_cos_of_turns};
 
