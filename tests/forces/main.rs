@@ -9,6 +9,7 @@ mod pairs;
 mod patterns;
 mod promises;
 mod symmetry;
+mod worlds;
 
 use common::{from_json, headings};
 use serde_json::{Value, json};
