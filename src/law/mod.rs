@@ -6,26 +6,41 @@
 
 mod alignment;
 mod alpha_interaction;
+mod cucker_dong;
+mod first_order_flow;
 mod flatness;
 mod flock;
+mod friction;
 mod heading_consensus;
 mod navigation;
 mod obstacle_avoidance;
+mod pair_force;
+mod pair_potential;
+mod park_bonding;
+mod pattern;
 mod pull;
 mod scoped;
+mod self_propulsion;
 mod steering;
 mod targets;
 mod tracking;
 
 pub use alignment::Alignment;
 pub use alpha_interaction::AlphaInteraction;
+pub use cucker_dong::CuckerDong;
+pub use first_order_flow::FirstOrderFlow;
 pub use flatness::Flatness;
 pub use flock::{Flock, State};
+pub use friction::Friction;
 pub use heading_consensus::HeadingConsensus;
 pub use navigation::Navigation;
 pub use obstacle_avoidance::ObstacleAvoidance;
+pub use pair_potential::PairPotential;
+pub use park_bonding::ParkBonding;
+pub use pattern::Pattern;
 pub use pull::{Link, Pull, Pulls, Row};
 pub use scoped::Scoped;
+pub use self_propulsion::SelfPropulsion;
 pub use steering::Steering;
 pub use targets::Targets;
 pub use tracking::Tracking;
@@ -110,6 +125,17 @@ fn one<const D: usize>(
         LawSpec::Steering(spec) => Box::new(Steering::new(spec, scope, world)),
         LawSpec::Flatness(spec) => Box::new(Flatness::new(spec, scope, world)),
         LawSpec::Alignment(spec) => Box::new(Alignment::new(spec, scope, world)),
+        LawSpec::PairPotential(spec) => Box::new(PairPotential::new(spec)),
+        LawSpec::CuckerDong(spec) => Box::new(CuckerDong::new(spec)),
+        LawSpec::ParkBonding(spec) => Box::new(ParkBonding::new(spec)),
+        LawSpec::FirstOrderFlow(spec) => Box::new(FirstOrderFlow::new(spec)),
+        LawSpec::LinePattern(spec) => Box::new(Pattern::line(spec, world.acted_on(scope))),
+        LawSpec::BallPattern(spec) => Box::new(Pattern::ball(spec, world.acted_on(scope))),
+        LawSpec::Friction(spec) => Box::new(Friction::new(spec, &world.acted_on(scope))),
+        LawSpec::FrictionCompensation(spec) => {
+            Box::new(Friction::compensation(spec, &world.acted_on(scope)))
+        }
+        LawSpec::SelfPropulsion(spec) => Box::new(SelfPropulsion::new(spec)),
         LawSpec::Scope(_) => return None,
     })
 }

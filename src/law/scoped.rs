@@ -45,11 +45,8 @@ impl<const D: usize> Scoped<D> {
 
     /// The mean over the agents that the law acts on, summed in the order of the world.
     fn mean(&self, scene: &Scene<'_, D>, values: &[Vector<D>]) -> Vector<D> {
-        let mut by_agent = vec![None; values.len()];
-        for (place, value) in values.iter().enumerate() {
-            by_agent[scene.agents[place] as usize] =
-                self.acts_on(scene.groups[place]).then_some(*value);
-        }
+        let value = |place: usize| self.acts_on(scene.groups[place]).then_some(values[place]);
+        let by_agent = scene.in_world_order(value);
         mean(&by_agent.into_iter().flatten().collect::<Vec<_>>())
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::math::{Moment, Trajectory, Vector};
 use crate::world::World;
-use crate::world::spec::{ScopeSpec, TrajectoriesSpec, spread};
+use crate::world::spec::{ScopeSpec, TrackingSpec, TrajectoriesSpec, spread};
 
 /// Where the agents are to be: one trajectory for all, or one for each agent of the world.
 #[derive(Debug, Clone)]
@@ -21,6 +21,16 @@ impl<const D: usize> Targets<D> {
         let count = acted_on.iter().filter(|&&acts| acts).count();
         let rest = Trajectory::rest(Vector::zeros());
         Self::Each(spread(spec.trajectories(count), rest, &acted_on))
+    }
+
+    /// Those of a tracking law in a scope.
+    pub fn of_tracking(spec: &TrackingSpec, scope: Option<&ScopeSpec>, world: &World<D>) -> Self {
+        match (&spec.target, &spec.targets) {
+            (Some(target), _) => Self::Shared(target.trajectory()),
+            (None, Some(targets)) => Self::of_agents(targets, scope, world),
+            // No checked world has neither.
+            (None, None) => Self::of_agents(&TrajectoriesSpec::Each(Vec::new()), scope, world),
+        }
     }
 
     /// The targets at a time: one for all, or one for each agent.

@@ -16,7 +16,7 @@ use crate::law::targets::{Targets, own};
 use crate::math::{Moment, Vector};
 use crate::sense::Scene;
 use crate::world::World;
-use crate::world::spec::{ScopeSpec, TrackingSpec, TrajectoriesSpec};
+use crate::world::spec::{ScopeSpec, TrackingSpec};
 
 /// Following a target that moves; see the module.
 #[derive(Debug, Clone)]
@@ -31,13 +31,7 @@ pub struct Tracking<const D: usize> {
 impl<const D: usize> Tracking<D> {
     /// The law with the parameters of a checked world file.
     pub fn new(spec: &TrackingSpec, scope: Option<&ScopeSpec>, world: &World<D>) -> Self {
-        let targets = match &spec.target {
-            Some(target) => Targets::Shared(target.trajectory()),
-            None => {
-                let none = TrajectoriesSpec::Each(Vec::new());
-                Targets::of_agents(spec.targets.as_ref().unwrap_or(&none), scope, world)
-            }
-        };
+        let targets = Targets::of_tracking(spec, scope, world);
         let gains = [spec.velocity_gain, spec.position_gain];
         Self::along(targets, gains, spec.feedforward)
     }

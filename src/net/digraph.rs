@@ -1,5 +1,5 @@
-//! What only directed nets have: strong connectivity, and the symmetric part of their
-//! Laplacian. Weight balance and weak connectivity are in [`Adjacency`].
+//! What only directed nets have: strong connectivity. Weight balance and weak connectivity
+//! are in [`Adjacency`].
 
 use crate::net::Adjacency;
 
@@ -30,29 +30,10 @@ fn all_reached(agents: usize, next: impl Fn(usize) -> Vec<usize>) -> bool {
     count == agents
 }
 
-/// λ2 of L + Lᵀ, the second smallest eigenvalue, where L = D_out − W is the Laplacian: it
-/// bounds the rate of agreement in Shi, Wang & Chu. Of a balanced net the smallest one is 0,
-/// and this is above 0 exactly where the net is connected; of others it may be negative.
-/// `None` for fewer than two agents, and where the eigenvalues cannot be found.
-///
-/// Dense, cubic in the number of agents.
-pub fn symmetric_connectivity(net: &Adjacency) -> Option<f64> {
-    if net.agents() < 2 {
-        return None;
-    }
-    let laplacian = net.laplacian();
-    let sum = &laplacian + laplacian.transpose();
-    let mut values: Vec<f64> = sum.symmetric_eigenvalues().iter().copied().collect();
-    values.sort_by(f64::total_cmp);
-    values
-        .iter()
-        .all(|value| value.is_finite())
-        .then(|| values[1])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::net::symmetric_connectivity;
 
     fn ring(agents: usize) -> Adjacency {
         Adjacency::new((0..agents).map(|i| vec![((i + 1) % agents, 0.5)]).collect())

@@ -64,7 +64,7 @@ mod vote;
 pub use adjacency::Adjacency;
 pub use components::Components;
 pub use crossing::crossings;
-pub use digraph::{is_strongly_connected, symmetric_connectivity};
+pub use digraph::is_strongly_connected;
 pub use energy::{link_energy, potential_gradient, structural_energy, structural_potential};
 pub use links::LinkChanges;
 pub use planarity::is_planar;

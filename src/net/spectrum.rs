@@ -31,7 +31,7 @@ pub fn algebraic_connectivity(net: &Adjacency) -> Option<f64> {
 /// such influences pull agree at least. Shi, Wang & Chu, (18). `None` for fewer than two
 /// agents.
 ///
-/// For a balanced net it is twice the [`algebraic_connectivity`]; otherwise L + Lᵀ is no
+/// For a balanced net, whose smallest one is 0, it is twice the [`algebraic_connectivity`]; otherwise L + Lᵀ is no
 /// Laplacian, and may have negative eigenvalues.
 ///
 /// Dense, cubic in the number of agents.

@@ -65,16 +65,30 @@ impl<const D: usize> Scene<'_, D> {
         self.masses[self.agents[i] as usize]
     }
 
+    /// A value of each agent of the scene, in the order of the world: that order does not depend
+    /// on the cells, so sums in it are the same whatever other laws there are.
+    pub fn in_world_order<T: Clone + Default>(&self, value: impl Fn(usize) -> T) -> Vec<T> {
+        let mut by_agent = vec![T::default(); self.agents.len()];
+        for (place, &agent) in self.agents.iter().enumerate() {
+            by_agent[agent as usize] = value(place);
+        }
+        by_agent
+    }
+
     /// Number of agents that the law may count as neighbours, however far away: the N of
     /// the papers' means. All agents, or those that its scope lets it see.
     pub fn count(&self) -> usize {
         match self.visible {
             None => self.groups.len(),
-            Some(visible) => {
-                let seen = |group: &&u32| visible[**group as usize];
-                self.groups.iter().filter(seen).count()
-            }
+            Some(_) => (0..self.groups.len()).filter(|&i| self.sees(i)).count(),
         }
+    }
+
+    /// Whether the law may count agent `i` of the scene as a neighbour.
+    #[inline]
+    pub fn sees(&self, i: usize) -> bool {
+        self.visible
+            .is_none_or(|visible| visible[self.groups[i] as usize])
     }
 
     /// Calls `visit` with every neighbour of agent `i`: each other agent that it perceives
@@ -100,19 +114,15 @@ impl<const D: usize> Scene<'_, D> {
     /// so that the plain search stays small enough to be built into the laws.
     #[inline(never)]
     fn perceived(&self, i: usize, range: f64, visit: &mut dyn FnMut(Neighbour<D>)) {
-        let counts = |index: usize| {
-            self.visible
-                .is_none_or(|visible| visible[self.groups[index] as usize])
-        };
         match self.perception {
             Some(perception) => perception
                 .of(i, range)
-                .filter(|neighbour| counts(neighbour.index))
+                .filter(|neighbour| self.sees(neighbour.index))
                 .for_each(|neighbour| visit(*neighbour)),
             None => {
                 self.cells
                     .for_each_within(&self.positions[i], range, |index, offset, squared| {
-                        if index != i && counts(index) {
+                        if index != i && self.sees(index) {
                             visit(self.neighbour(index, offset, squared));
                         }
                     });

@@ -3,7 +3,7 @@
 use super::{Pause, Simulation};
 use crate::dynamics::Snapshot;
 use crate::math::Vector;
-use crate::metric::measure;
+use crate::metric::{laws_record, measure};
 use crate::net::Net;
 use crate::sense::active_obstacles;
 use crate::shape::Obstacle;
@@ -75,7 +75,9 @@ impl<const D: usize> Simulation<D> {
                 .flatten()
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
-            laws: None,
+            laws: (world.spec.record.laws)
+                .then(|| laws_record(world, &mut self.flock, &self.bodies.state()))
+                .map(Box::new),
             blocked: (world.spec.record.blocked).then(|| self.flock.blocked(&self.bodies.state())),
             obstacles: obstacle_poses(state.obstacles),
         }

@@ -22,6 +22,7 @@ pub mod shipped;
 mod sites;
 mod span;
 pub mod spec;
+mod start_distance;
 mod syntax;
 mod validate;
 mod velocity;

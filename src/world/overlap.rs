@@ -44,7 +44,9 @@ pub(super) fn overlaps<const D: usize>(
     };
     // Each body whose place is given, with the first other in its way.
     let mut found: BTreeMap<usize, String> = BTreeMap::new();
-    for (a, b) in near_pairs(agents) {
+    let mut pairs: Vec<_> = near_pairs(agents, |i| agents.radius[i]).collect();
+    pairs.sort_unstable();
+    for (a, b) in pairs {
         let (one, other) = (a.max(b), a.min(b));
         if !fixed(one) || (ball(a) && ball(b)) {
             continue;
@@ -84,9 +86,12 @@ pub(super) fn overlaps<const D: usize>(
     found.into_iter().map(problem).collect()
 }
 
-/// The pairs of agents whose balls overlap, by a sweep along an axis; for each agent
-/// in the order of the others.
-fn near_pairs<const D: usize>(agents: &Agents<D>) -> Vec<(usize, usize)> {
+/// The pairs of agents that are nearer to each other than the reaches of both add up to, by a
+/// sweep along an axis; in its order, the agent that comes first in the world first.
+pub(super) fn near_pairs<const D: usize>(
+    agents: &Agents<D>,
+    reach: impl Fn(usize) -> f64,
+) -> impl Iterator<Item = (usize, usize)> {
     // Along the axis over which they are spread most, few stand side by side.
     let spread = |k: usize| {
         let places = agents.positions.iter().map(|at| at[k]);
@@ -95,20 +100,20 @@ fn near_pairs<const D: usize>(agents: &Agents<D>) -> Vec<(usize, usize)> {
     let along = (0..D)
         .max_by(|a, b| spread(*a).total_cmp(&spread(*b)))
         .unwrap_or(0);
-    let start = |i: &usize| agents.positions[*i][along] - agents.radius[*i];
+    let starts: Vec<f64> = (0..agents.len())
+        .map(|i| agents.positions[i][along] - reach(i))
+        .collect();
     let mut order: Vec<usize> = (0..agents.len()).collect();
-    order.sort_by(|a, b| start(a).total_cmp(&start(b)).then(a.cmp(b)));
-    let mut pairs = Vec::new();
-    for (rank, &a) in order.iter().enumerate() {
-        let end = agents.positions[a][along] + agents.radius[a];
-        let near = order[rank + 1..].iter().take_while(|b| start(b) <= end);
-        for &b in near {
+    order.sort_by(|&a, &b| starts[a].total_cmp(&starts[b]).then(a.cmp(&b)));
+    (0..order.len()).flat_map(move |rank| {
+        let a = order[rank];
+        let end = agents.positions[a][along] + reach(a);
+        let near = order[rank + 1..].iter().copied();
+        let near = near.take_while(|&b| starts[b] <= end).filter(|&b| {
             let apart = (agents.positions[a] - agents.positions[b]).norm();
-            if apart < agents.radius[a] + agents.radius[b] {
-                pairs.push((a.min(b), a.max(b)));
-            }
-        }
-    }
-    pairs.sort_unstable();
-    pairs
+            apart < reach(a) + reach(b)
+        });
+        let pairs: Vec<_> = near.map(|b| (a.min(b), a.max(b))).collect();
+        pairs
+    })
 }

@@ -11,6 +11,7 @@ use crate::world::problem::Problem;
 use crate::world::spec::{
     AlphaInteractionSpec, LawSpec, ScopeSpec, WorldSpec, acts_on, each_law, each_law_mut,
 };
+use crate::world::start_distance::too_near;
 use crate::world::vector_or_zero;
 use crate::world::velocity::velocities;
 
@@ -103,6 +104,7 @@ where
         }
         if problems.is_empty() {
             problems = overlaps(&spec.agents, &solids, &agents, &obstacles);
+            problems.extend(too_near(&spec, &agents));
         }
         if !problems.is_empty() {
             return Err(problems);

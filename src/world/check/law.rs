@@ -117,6 +117,28 @@ impl Check {
             LawSpec::Alignment(law) => {
                 self.alignment(&format!("{path}.alignment"), law, scope, world);
             }
+            LawSpec::PairPotential(law) => {
+                self.pair_potential(&format!("{path}.pair_potential"), law);
+            }
+            LawSpec::CuckerDong(law) => self.cucker_dong(&format!("{path}.cucker_dong"), law),
+            LawSpec::ParkBonding(law) => {
+                self.park_bonding(&format!("{path}.park_bonding"), law, scope, world);
+            }
+            LawSpec::FirstOrderFlow(law) => {
+                self.first_order_flow(&format!("{path}.first_order_flow"), law);
+            }
+            LawSpec::LinePattern(law) => self.line_pattern(&format!("{path}.line_pattern"), law),
+            LawSpec::BallPattern(law) => self.ball_pattern(&format!("{path}.ball_pattern"), law),
+            LawSpec::Friction(law) => {
+                self.friction(&format!("{path}.friction"), law, scope, world);
+            }
+            LawSpec::FrictionCompensation(law) => {
+                let path = format!("{path}.friction_compensation");
+                self.friction_compensation(&path, law, scope, world);
+            }
+            LawSpec::SelfPropulsion(law) => {
+                self.self_propulsion(&format!("{path}.self_propulsion"), law, scope, world);
+            }
             LawSpec::Scope(_) => {
                 let problem = Problem::with_name(format!("{path}.scope"), "is inside a scope");
                 self.problems
@@ -134,9 +156,10 @@ impl Check {
         self.stable(path, times, rate, limit / self.step);
     }
 
-    /// Linear feedback on the position: an oscillator of frequency ω needs ωh < 2.
-    pub(super) fn oscillation(&mut self, path: &str, gain: f64) {
-        self.stable(path, "", gain, 4.0 / (self.step * self.step));
+    /// Linear feedback on the position is stable at stiffnesses (1/time²) below 4/step²: an
+    /// oscillator of frequency ω needs ωh < 2.
+    pub(super) fn stiffness(&mut self, path: &str, stiffness: f64) {
+        self.stable(path, "", stiffness, 4.0 / (self.step * self.step));
     }
 
     fn stable(&mut self, path: &str, times: &str, rate: f64, limit: f64) {
@@ -208,7 +231,7 @@ impl Check {
         if law.feedback == Feedback::Linear {
             self.damping(&format!("{path}.velocity_gain"), "", law.velocity_gain);
             if law.destination.is_some() {
-                self.oscillation(&format!("{path}.position_gain"), law.position_gain);
+                self.stiffness(&format!("{path}.position_gain"), law.position_gain);
             }
         }
         if let Some(destination) = &law.destination {

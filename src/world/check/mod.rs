@@ -4,8 +4,11 @@
 
 mod agents;
 mod alignment;
+mod drag;
 mod law;
 mod obstacle;
+mod pair_force;
+mod pattern;
 mod sensing;
 mod start;
 mod steering;

@@ -98,7 +98,7 @@ impl Check {
     /// A linear feedback on position and velocity must be stable.
     pub(super) fn feedback(&mut self, path: &str, position_gain: f64, velocity_gain: f64) {
         self.damping(&format!("{path}.velocity_gain"), "", velocity_gain);
-        self.oscillation(&format!("{path}.position_gain"), position_gain);
+        self.stiffness(&format!("{path}.position_gain"), position_gain);
     }
 
     /// Of two fields of which each takes the other's place there must be one.

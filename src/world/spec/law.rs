@@ -3,7 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{AlignmentSpec, FlatnessSpec, ScopeSpec, SteeringSpec, TrackingSpec};
+use super::{
+    AlignmentSpec, BallPatternSpec, CuckerDongSpec, FirstOrderFlowSpec, FlatnessSpec, FrictionSpec,
+    LinePatternSpec, PairPotentialSpec, ParkBondingSpec, ScopeSpec, SelfPropulsionSpec,
+    SteeringSpec, TrackingSpec,
+};
 use crate::math::{Action, AlphaPair, Bump, Fade};
 
 /// One law: a term of the sum that accelerates the agents.
@@ -28,6 +32,24 @@ pub enum LawSpec {
     /// Velocity alignment: the models of Cucker and Smale, Motsch and Tadmor, Djokam and
     /// Rathinam.
     Alignment(AlignmentSpec),
+    /// Forces of a potential between any two agents.
+    PairPotential(PairPotentialSpec),
+    /// Repulsion in proportion to the disagreement of the velocities.
+    CuckerDong(CuckerDongSpec),
+    /// Damped springs between any two agents.
+    ParkBonding(ParkBondingSpec),
+    /// Steering to the velocities of a swarm of first order.
+    FirstOrderFlow(FirstOrderFlowSpec),
+    /// Driving to a line through the mean position.
+    LinePattern(LinePatternSpec),
+    /// Driving to a circle or sphere about the mean position.
+    BallPattern(BallPatternSpec),
+    /// Friction, in proportion to a power of the speed.
+    Friction(FrictionSpec),
+    /// What makes up for friction: the same with the other sign.
+    FrictionCompensation(FrictionSpec),
+    /// Self-propulsion to a cruising speed.
+    SelfPropulsion(SelfPropulsionSpec),
     /// Laws for some groups only.
     Scope(ScopeSpec),
 }
@@ -251,7 +273,7 @@ impl AlphaInteractionSpec {
     }
 }
 
-fn one() -> f64 {
+pub(super) fn one() -> f64 {
     1.0
 }
 

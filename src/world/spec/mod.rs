@@ -9,10 +9,13 @@
 
 mod agents;
 mod alignment;
+mod drag;
 mod graph;
 mod law;
 mod motion;
 mod obstacle;
+mod pair_force;
+mod pattern;
 mod scope;
 mod sensing;
 mod start;
@@ -29,6 +32,7 @@ pub use alignment::{
     AlignmentSpec, GainSpec, KernelSpec, LineOfSightSpec, MaskingSpec, NormalisationSpec,
     OpenLoopSpec, OrientationSpec, RelaxationSpec, VaryingGainSpec,
 };
+pub use drag::{FrictionSpec, SelfPropulsionSpec};
 pub use graph::GraphSpec;
 pub use law::{
     ActionSpec, AlphaInteractionSpec, AlphaProtocol, Feedback, GammaSpec, HeadingConsensusSpec,
@@ -36,8 +40,12 @@ pub use law::{
 };
 pub use motion::{EasingSpec, MotionSpec};
 pub use obstacle::{BetaAgents, CompoundPart, Heights, ObstacleSpec, Rotation, ShapeSpec};
-pub(in crate::world) use scope::each_law_mut;
+pub use pair_force::{
+    CuckerDongSpec, FirstOrderFlowSpec, PairPotentialSpec, ParkBondingSpec, Share,
+};
+pub use pattern::{BallPatternSpec, LinePatternSpec};
 pub use scope::{ScopeSpec, acts_on, each_law};
+pub(in crate::world) use scope::{each_law_mut, each_path};
 pub use sensing::{BlockedBySpec, ConeSpec, FieldOfViewSpec, NoiseSpec, SensingSpec};
 pub use start::{
     BallSpec, BoxSpec, GridSpec, HexagonalSpec, LineSpec, OutwardSpec, PlacementSpec, RotatingSpec,

@@ -59,6 +59,19 @@ pub fn each_law(laws: &[LawSpec]) -> impl Iterator<Item = (Option<&ScopeSpec>, &
     })
 }
 
+/// The path in the file of every law, in the order of [`each_law`].
+pub(in crate::world) fn each_path(laws: &[LawSpec]) -> impl Iterator<Item = String> {
+    laws.iter().enumerate().flat_map(|(index, law)| {
+        let paths: Vec<String> = match law {
+            LawSpec::Scope(scope) => (0..scope.laws.len())
+                .map(|inner| format!("laws[{index}].scope.laws[{inner}]"))
+                .collect(),
+            _ => vec![format!("laws[{index}]")],
+        };
+        paths
+    })
+}
+
 /// As [`each_law`], to be changed, without the scopes.
 pub(in crate::world) fn each_law_mut(laws: &mut [LawSpec]) -> impl Iterator<Item = &mut LawSpec> {
     laws.iter_mut().flat_map(|law| match law {

@@ -1,0 +1,38 @@
+//! Starts at which a law is not defined.
+
+use crate::world::agents::Agents;
+use crate::world::overlap::near_pairs;
+use crate::world::problem::Problem;
+use crate::world::spec::{LawSpec, WorldSpec, acts_on, each_law, each_path};
+use crate::world::words::number;
+
+/// The pairs that start nearer than a law of Cucker & Dong allows, one for each law: those of
+/// an agent that the law acts on and another that it sees.
+pub(super) fn too_near<const D: usize>(spec: &WorldSpec, agents: &Agents<D>) -> Vec<Problem> {
+    let mut found = Vec::new();
+    for ((scope, law), path) in each_law(&spec.laws).zip(each_path(&spec.laws)) {
+        let LawSpec::CuckerDong(law) = law else {
+            continue;
+        };
+        let group = |i: usize| &spec.agents[agents.group[i]];
+        let sees = |i: usize| scope.is_none_or(|scope| scope.sees(group(i)));
+        let pushes = |a: usize, b: usize| acts_on(scope, group(a)) && sees(b);
+        // A hair more than half, for the sweep rounds.
+        let reach = 0.5 * law.squared_distance.sqrt() * (1.0 + 1e-9);
+        let first = near_pairs(agents, |_| reach).find_map(|(a, b)| {
+            let squared = (agents.positions[a] - agents.positions[b]).norm_squared();
+            let bad = squared <= law.squared_distance && (pushes(a, b) || pushes(b, a));
+            bad.then_some((a, b, squared))
+        });
+        if let Some((a, b, squared)) = first {
+            let squared = number(squared);
+            let what = format!(
+                "must be less than {squared}, the squared distance of agents {a} and {b} at the start"
+            );
+            let path = format!("{path}.cucker_dong.squared_distance");
+            let hint = "agents farther apart, or a smaller squared distance";
+            found.push(Problem::new(path, what).hint(hint));
+        }
+    }
+    found
+}
