@@ -70,3 +70,34 @@ fn rings_and_complete_graphs_are_what_they_are_called() {
     assert_eq!((matrix.weight(0, 1), matrix.weight(1, 0)), (0.5, 2.0));
     assert_eq!(matrix.imbalance(), 1.5);
 }
+
+#[test]
+fn check_tells_what_a_graph_is_like() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("graphs.json");
+    let law = |graph: serde_json::Value| json!({ "alignment": { "graph": graph } });
+    let world = json!({
+        "dimension": 2, "time": { "end": 1 },
+        "agents": [{ "radius": 0.1, "positions": { "explicit": [[0, 0], [1, 0], [2, 0]] } }],
+        "laws": [
+            law(json!({ "ring": { "weight": 0.5 } })),
+            law(json!({ "matrix": [[0, 1, 0], [0, 0, 1], [0, 0, 0]] })),
+            law(json!({ "matrix": [[0, 1, 0], [1, 0, 0], [0, 0, 0]] })),
+            law(json!({ "open_loop": [[0, 1, 1], [1, 0, 1], [1, 1, 0]] }))
+        ]
+    });
+    std::fs::write(&file, world.to_string()).expect("a file");
+    let mut volary = assert_cmd::Command::cargo_bin("volary").expect("the command");
+    let output = volary.arg("check").arg(&file).output().expect("it runs");
+    let text = String::from_utf8(output.stdout).expect("text");
+    let lines: Vec<&str> = text.lines().skip(1).collect();
+    // Of the chain it is the middle root of λ³ − 4λ² + 2λ + 2.
+    let expected = [
+        "  alignment, law 0: 3 arcs, strongly connected, balanced, λ2(L + Lᵀ) = 1.500000",
+        "  alignment, law 1: 2 arcs, weakly connected only, out of balance by up to 1.000e0, \
+         λ2(L + Lᵀ) = 1.311108",
+        "  alignment, law 2: 2 arcs, not connected, balanced, λ2(L + Lᵀ) = 0.000000",
+        "  alignment, law 3: its weights are functions of time",
+    ];
+    assert_eq!(lines, expected);
+}
