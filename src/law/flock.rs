@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::law::{Law, build};
+use crate::law::{Law, Link, Pull, build};
 use crate::math::{Matrix, Vector, mean};
 use crate::sense::{CHUNK, Cells, History, PARALLEL_FROM, Perception, Scene, Senses};
 use crate::shape::Obstacle;
@@ -66,6 +66,11 @@ impl<const D: usize> Flock<D> {
     pub fn of_world(world: &World<D>, more: Vec<Box<dyn Law<D>>>) -> Self {
         let mut laws = build(world);
         laws.extend(more);
+        Self::with_senses(world, laws)
+    }
+
+    /// A flock that obeys some laws, whose agents perceive as those of a world do.
+    pub fn with_senses(world: &World<D>, laws: Vec<Box<dyn Law<D>>>) -> Self {
         let senses = Senses::new(world);
         let longest = senses.iter().flat_map(Senses::delays).max();
         Self {
@@ -137,6 +142,29 @@ impl<const D: usize> Flock<D> {
         }
         links.sort_unstable();
         links
+    }
+
+    /// Calls `visit` with every pull that a law has on an agent, and its links, both by the
+    /// numbers of the agents in the world. Nothing is written into the history.
+    pub fn pulls(&mut self, state: &State<'_, D>, mut visit: impl FnMut(usize, Pull, &[Link<D>])) {
+        let ranges = range_and_side(&self.laws);
+        let scene = self
+            .stage
+            .scene(state, ranges, self.senses.as_ref(), &self.history);
+        let mut links = Vec::new();
+        for law in &mut self.laws {
+            law.prepare(&scene);
+            for (i, &agent) in scene.agents.iter().enumerate() {
+                links.clear();
+                let Some(pull) = law.pull(&scene, i, &mut links) else {
+                    continue;
+                };
+                for link in &mut links {
+                    link.index = scene.agents[link.index] as usize;
+                }
+                visit(agent as usize, pull, &links);
+            }
+        }
     }
 
     /// The lines of sight in which something weakens or blocks an influence, for some law, as

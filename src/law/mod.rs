@@ -6,21 +6,29 @@
 
 mod alignment;
 mod alpha_interaction;
+mod flatness;
 mod flock;
 mod heading_consensus;
 mod navigation;
 mod obstacle_avoidance;
 mod pull;
 mod scoped;
+mod steering;
+mod targets;
+mod tracking;
 
 pub use alignment::Alignment;
 pub use alpha_interaction::AlphaInteraction;
+pub use flatness::Flatness;
 pub use flock::{Flock, State};
 pub use heading_consensus::HeadingConsensus;
 pub use navigation::Navigation;
 pub use obstacle_avoidance::ObstacleAvoidance;
 pub use pull::{Link, Pull};
 pub use scoped::Scoped;
+pub use steering::Steering;
+pub use targets::Targets;
+pub use tracking::Tracking;
 
 use crate::math::Vector;
 use crate::sense::Scene;
@@ -66,8 +74,17 @@ pub trait Law<const D: usize>: Send + Sync {
 
 /// The laws of a world, in its order; those in scopes act there only.
 pub fn build<const D: usize>(world: &World<D>) -> Vec<Box<dyn Law<D>>> {
+    build_where(world, |_| true)
+}
+
+/// As [`build`], those only that are wanted.
+pub(crate) fn build_where<const D: usize>(
+    world: &World<D>,
+    wanted: impl Fn(&LawSpec) -> bool,
+) -> Vec<Box<dyn Law<D>>> {
     world
         .laws()
+        .filter(|(_, spec)| wanted(spec))
         .filter_map(|(scope, spec)| {
             let law = one(spec, scope, world)?;
             Some(match scope {
@@ -89,6 +106,9 @@ fn one<const D: usize>(
         LawSpec::ObstacleAvoidance(spec) => Box::new(ObstacleAvoidance::new(spec, world)),
         LawSpec::Navigation(spec) => Box::new(Navigation::new(spec)),
         LawSpec::HeadingConsensus(spec) => Box::new(HeadingConsensus::new(spec)),
+        LawSpec::Tracking(spec) => Box::new(Tracking::new(spec, scope, world)),
+        LawSpec::Steering(spec) => Box::new(Steering::new(spec, scope, world)),
+        LawSpec::Flatness(spec) => Box::new(Flatness::new(spec, scope, world)),
         LawSpec::Alignment(spec) => Box::new(Alignment::new(spec, scope, world)),
         LawSpec::Scope(_) => return None,
     })

@@ -7,7 +7,9 @@ mod bump;
 mod gain;
 mod influence;
 mod normal;
+mod ode;
 mod time_function;
+mod trajectory;
 mod turn;
 
 pub use action::Action;
@@ -17,7 +19,9 @@ pub use bump::Bump;
 pub use gain::{Gain, shortened};
 pub use influence::Influence;
 pub use normal::normal_quantile;
+pub use ode::{DormandPrince, Stuck};
 pub use time_function::{Interpolation, TimeFunction};
+pub use trajectory::{Moment, Spline, Trajectory, plane_across};
 pub use turn::{sin_cos, sin_cos_of_turns};
 
 /// A vector of the `D`-dimensional world.

@@ -9,6 +9,7 @@ mod ledger;
 mod milling;
 mod net_record;
 mod order;
+mod tracking;
 
 pub use collision::{collision_ratio, obstacle_safety, safety};
 pub use correlation::{cluster_correlation, order};
@@ -19,6 +20,7 @@ pub use ledger::Ledger;
 pub use milling::{milling, rotation};
 pub use net_record::NetAnalysis;
 pub use order::{polarization, velocity_mismatch};
+pub use tracking::target_errors;
 
 use crate::dynamics::Snapshot;
 use crate::math::{Vector, mean};

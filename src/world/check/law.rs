@@ -105,6 +105,15 @@ impl Check {
             }
             LawSpec::Navigation(law) => self.navigation(&format!("{path}.navigation"), law),
             LawSpec::HeadingConsensus(_) => {}
+            LawSpec::Tracking(law) => {
+                self.tracking(&format!("{path}.tracking"), law, scope, world);
+            }
+            LawSpec::Steering(law) => {
+                self.steering(&format!("{path}.steering"), law, scope, world);
+            }
+            LawSpec::Flatness(law) => {
+                self.flatness(&format!("{path}.flatness"), law, scope, world);
+            }
             LawSpec::Alignment(law) => {
                 self.alignment(&format!("{path}.alignment"), law, scope, world);
             }
@@ -123,6 +132,11 @@ impl Check {
         let n = self.substeps as f64;
         let limit = 2.0 * n * n / ((n + 1.0) * (2.0 * n - 1.0));
         self.stable(path, times, rate, limit / self.step);
+    }
+
+    /// Linear feedback on the position: an oscillator of frequency ω needs ωh < 2.
+    pub(super) fn oscillation(&mut self, path: &str, gain: f64) {
+        self.stable(path, "", gain, 4.0 / (self.step * self.step));
     }
 
     fn stable(&mut self, path: &str, times: &str, rate: f64, limit: f64) {
@@ -194,14 +208,7 @@ impl Check {
         if law.feedback == Feedback::Linear {
             self.damping(&format!("{path}.velocity_gain"), "", law.velocity_gain);
             if law.destination.is_some() {
-                // An oscillator of frequency ω needs ωh < 2.
-                let limit = 4.0 / (self.step * self.step);
-                self.stable(
-                    &format!("{path}.position_gain"),
-                    "",
-                    law.position_gain,
-                    limit,
-                );
+                self.oscillation(&format!("{path}.position_gain"), law.position_gain);
             }
         }
         if let Some(destination) = &law.destination {

@@ -8,7 +8,9 @@ mod law;
 mod obstacle;
 mod sensing;
 mod start;
+mod steering;
 mod time_function;
+mod trajectory;
 
 pub use law::velocity_to_follow;
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{AlignmentSpec, ScopeSpec};
+use super::{AlignmentSpec, FlatnessSpec, ScopeSpec, SteeringSpec, TrackingSpec};
 use crate::math::{Action, AlphaPair, Bump, Fade};
 
 /// One law: a term of the sum that accelerates the agents.
@@ -19,6 +19,12 @@ pub enum LawSpec {
     Navigation(NavigationSpec),
     /// Turning to the neighbours' headings: attitude alignment.
     HeadingConsensus(HeadingConsensusSpec),
+    /// Following a target that moves.
+    Tracking(TrackingSpec),
+    /// Steering given in advance.
+    Steering(SteeringSpec),
+    /// Steering along given trajectories, by differential flatness.
+    Flatness(FlatnessSpec),
     /// Velocity alignment: the models of Cucker and Smale, Motsch and Tadmor, Djokam and
     /// Rathinam.
     Alignment(AlignmentSpec),

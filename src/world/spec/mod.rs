@@ -16,7 +16,9 @@ mod obstacle;
 mod scope;
 mod sensing;
 mod start;
+mod steering;
 mod time_function;
+mod trajectory;
 mod values;
 
 use schemars::JsonSchema;
@@ -41,7 +43,9 @@ pub use start::{
     BallSpec, BoxSpec, GridSpec, HexagonalSpec, LineSpec, OutwardSpec, PlacementSpec, RotatingSpec,
     VelocityBallSpec, VelocityBoxSpec, VelocitySpec,
 };
+pub use steering::{FlatnessSpec, SteeringSpec, TrackingSpec};
 pub use time_function::{InterpolationSpec, TimeFunctionSpec, VaryingSpec};
+pub use trajectory::{FormationSpec, MillRingSpec, NumbersSpec, TrajectoriesSpec, TrajectorySpec};
 pub use values::{ActsAs, Values, spread};
 
 /// A world: agents, obstacles, laws and time, as read from one JSON file.
