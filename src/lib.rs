@@ -44,6 +44,7 @@
 //! - [`dynamics`]: what moves the agents
 //! - [`trace`]: what a run leaves behind
 //! - [`metric`]: functions of a state, and the ledger of contacts
+//! - [`reduced`]: the reduced model of fast flocking
 //! - [`simulation`]: the loop
 //! - [`checkpoint`]: a simulation in a file, to go on with later
 //! - [`schema`]: JSON Schemas of the file formats
@@ -54,6 +55,7 @@ pub mod law;
 pub mod math;
 pub mod metric;
 pub mod net;
+pub mod reduced;
 pub mod schema;
 pub mod sense;
 pub mod shape;

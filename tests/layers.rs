@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 12] = [
+const LAYERS: [&str; 13] = [
     "math",
     "shape",
     "world",
@@ -13,6 +13,7 @@ const LAYERS: [&str; 12] = [
     "dynamics",
     "trace",
     "metric",
+    "reduced",
     "simulation",
     "checkpoint",
     "schema",

@@ -7,6 +7,7 @@ mod drive;
 mod files;
 mod load;
 mod progress;
+mod reduce;
 mod resume;
 mod run;
 mod schema;
@@ -55,6 +56,8 @@ enum Command {
     Resume(resume::ResumeArguments),
     /// Check worlds without running them
     Check(check::CheckArguments),
+    /// Work out the reduced model of fast flocking
+    Reduce(reduce::ReduceArguments),
     /// List the shipped worlds, or print one
     Worlds(worlds::WorldsArguments),
     /// Print the JSON Schema of a file format
@@ -86,6 +89,7 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Resume(arguments) => resume::resume(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Reduce(arguments) => reduce::reduce(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
     };

@@ -68,6 +68,11 @@ impl<const D: usize> Flock<D> {
     pub fn of_world(world: &World<D>, more: Vec<Box<dyn Law<D>>>) -> Self {
         let mut laws = build(world);
         laws.extend(more);
+        Self::with_senses(world, laws)
+    }
+
+    /// A flock that obeys some laws, whose agents perceive as those of a world do.
+    pub fn with_senses(world: &World<D>, laws: Vec<Box<dyn Law<D>>>) -> Self {
         let senses = Senses::new(world);
         let longest = senses.iter().flat_map(Senses::delays).max();
         Self {

@@ -28,3 +28,9 @@ pub fn write_summary(path: &Path, summary: &Summary, overwrite: bool) -> Result<
     text.push(b'\n');
     file::write_whole(path, &text, overwrite)
 }
+
+/// Writes a text that is no trace to a file of its own, whole or not at all; an existing one is
+/// refused without `overwrite`.
+pub(crate) fn write_text(path: &Path, text: &str, overwrite: bool) -> Result<(), TraceError> {
+    file::write_whole(path, text.as_bytes(), overwrite)
+}

@@ -46,6 +46,7 @@ mod tests {
         }
         let [u, w] = plane_across(&Vector::<3>::new(0.0, 0.0, 5.0));
         assert_eq!((u, w), (axis(0), axis(1)));
-        assert_eq!(plane_across(&Vector::<2>::zeros()), [axis(0), axis(1)]);
+        let plane = [axis::<2>(0), axis::<2>(1)];
+        assert_eq!(plane_across(&Vector::<2>::zeros()), plane);
     }
 }
