@@ -199,6 +199,8 @@ fn worlds_with_all_there_is_go_on_bit_for_bit() {
     let contacts = goes_on_as_if_never_stopped::<2>(&common::circus(2), &cuts, Vec::new)
         + goes_on_as_if_never_stopped::<3>(&common::circus(3), &cuts, Vec::new);
     assert!(contacts > 5, "only {contacts} contacts");
+    goes_on_as_if_never_stopped::<2>(&common::parade(2), &[0, 1, 50, 99], Vec::new);
+    goes_on_as_if_never_stopped::<3>(&common::parade(3), &[0, 1, 50, 99], Vec::new);
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn sound_worlds() -> Vec<Value> {
         }
         world["record"] = json!({
             "every": world["time"]["step"], "accelerations": true, "beta_agents": true,
-            "edges": true, "net": true, "links": true
+            "edges": true, "net": true, "links": true, "laws": true, "blocked": true
         });
         for group in world["agents"].as_array_mut().expect("groups") {
             if let Some(count) = group.get("count").and_then(Value::as_u64) {
@@ -70,9 +70,12 @@ fn sound_worlds() -> Vec<Value> {
         }
         world
     };
-    let circus = |dimension| serde_json::to_value(common::circus(dimension)).expect("it is JSON");
+    let all_there_is = [2, 3].map(|d| [common::circus(d), common::parade(d)]);
+    let json = |world| serde_json::to_value(world).expect("it is JSON");
     let shipped = shipped::names().into_iter().map(small);
-    shipped.chain([2, 3].map(circus)).collect()
+    shipped
+        .chain(all_there_is.into_iter().flatten().map(json))
+        .collect()
 }
 
 /// JSON pointers to everything in a value, itself included.

@@ -17,7 +17,7 @@ use linear::Linear;
 
 /// Error of one part of a step that is let pass, as a share of how far the velocities are
 /// apart.
-const TOLERANCE: f64 = 1e-7;
+const TOLERANCE: f64 = 1e-5;
 
 /// The same as a share of the velocities themselves: rounding.
 const ROUNDING: f64 = 1e-14;
@@ -166,7 +166,7 @@ mod tests {
             let found = relax(&pulls, &start, &rest, time);
             let wanted = apart.normalize() * d;
             let error = (found[0] - found[1] - wanted).norm();
-            assert!(error < 2e-5, "{time}: {error}");
+            assert!(error < 3e-4, "{time}: {error}");
             assert!((found[0] + found[1] - start[0] - start[1]).norm() < 1e-12);
         }
     }

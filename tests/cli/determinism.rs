@@ -4,8 +4,20 @@ use serde_json::{Value, json};
 
 use crate::scene::{Scene, crowd, pack};
 
-/// Runs the world on one thread and others; returns the scene, where `t1.jsonl` is a trace.
+/// Runs the world on one thread and others; returns the scene, where `t1.jsonl` is a trace in
+/// which something touches.
 fn same_on_all_threads(world: &Value, options: &str) -> Scene {
+    let scene = same_bytes(world, options);
+    let summary = scene.summary("t1.jsonl");
+    assert!(summary.agent_contacts.episodes > 0, "no two agents touch");
+    assert!(
+        summary.obstacle_contacts.episodes > 0,
+        "none touches an obstacle"
+    );
+    scene
+}
+
+fn same_bytes(world: &Value, options: &str) -> Scene {
     let scene = Scene::with(world);
     let run = |threads: usize, name: &str| {
         scene.succeeds(&format!(
@@ -17,12 +29,6 @@ fn same_on_all_threads(world: &Value, options: &str) -> Scene {
     for (threads, name) in [(1, "again.jsonl"), (2, "t2.jsonl"), (4, "t4.jsonl")] {
         assert!(first == run(threads, name), "{name} differs from t1.jsonl");
     }
-    let summary = scene.summary("t1.jsonl");
-    assert!(summary.agent_contacts.episodes > 0, "no two agents touch");
-    assert!(
-        summary.obstacle_contacts.episodes > 0,
-        "none touches an obstacle"
-    );
     scene
 }
 
@@ -45,6 +51,29 @@ fn large_worlds_are_the_same_on_any_number_of_threads() {
         world["record"] = json!({ "every": 0.05, "accelerations": true });
         let scene = same_on_all_threads(&world, "--until 0.25");
         assert_eq!(scene.summary("t1.jsonl").agents, 2_500);
+    }
+}
+
+/// The same for laws that relax, mask and average over many agents.
+#[test]
+fn large_flocks_that_relax_are_the_same_on_any_number_of_threads() {
+    for (dimension, side) in [(2, 45.0), (3, 13.0)] {
+        let mut world = pack(dimension, 2_500, side);
+        world["record"] = json!({ "every": 0.05 });
+        let alignment = json!({ "alignment": {
+            "kernel": { "bump": { "range": 2.5 } }, "normalisation": "motsch_tadmor",
+            "gain": { "bounded": { "bound": 5, "scale": 0.5 } }, "epsilon": 0.1,
+            "masking": { "radius": 0.3 }, "range": 2.5, "relaxation": "always"
+        } });
+        let repulsion = json!({ "pair_potential": {
+            "potential": { "gaussian": { "height": 1, "decay": 1 } }, "range": 3
+        } });
+        let friction = json!({ "friction": { "coefficient": 0.1, "exponent": 1 } });
+        let line =
+            json!({ "line_pattern": { "direction": vec![1; dimension], "normalised": true } });
+        let laws = world["laws"].as_array_mut().unwrap();
+        laws.extend([alignment, repulsion, friction, line]);
+        same_bytes(&world, "--until 0.03");
     }
 }
 

@@ -186,3 +186,89 @@ pub fn circus(dimension: usize) -> WorldSpec {
         ]
     }))
 }
+
+/// A small world with every law that aligns, attracts, repels, draws, drags or steers, and
+/// every part that they have; it is stiff, so that some of it relaxes.
+pub fn parade(dimension: usize) -> WorldSpec {
+    let vector = |x: f64, y: f64, rest: f64| {
+        let mut vector = vec![rest; dimension];
+        (vector[0], vector[1]) = (x, y);
+        vector
+    };
+    let cucker_smale = serde_json::json!({ "cucker_smale": { "exponent": 0.4, "length": 2 } });
+    let beat = serde_json::json!({ "sine": { "mean": 0.5, "amplitude": 0.4, "period": 0.7 } });
+    spec(serde_json::json!({
+        "dimension": dimension,
+        "time": { "step": 0.01, "end": 1 },
+        "seed": 5,
+        "physics": { "restitution": 0.5, "gravity": vector(0.1, -0.2, 0.05) },
+        "record": {
+            "every": 0.1, "accelerations": true, "links": true, "laws": true, "blocked": true,
+            "active_at": 0.05
+        },
+        "agents": [
+            {
+                "name": "red", "count": 4, "radius": 0.2, "mass": [1, 2, 0.5, 1.5], "top_speed": 6,
+                "positions": { "ball": { "center": vector(0.0, 0.0, 0.0), "radius": 3 } },
+                "velocities": { "ball": { "radius": 2 } },
+                "sensing": { "cone": { "angle": 2.5, "smooth": true }, "delay": 0.02 }
+            },
+            {
+                "name": "blue", "count": 3, "radius": 0.2, "mass": 0.7, "force_limit": 300,
+                "positions": { "ball": { "center": vector(6.0, 0.0, 0.0), "radius": 2 } },
+                "velocities": { "ball": { "radius": 2 } }
+            }
+        ],
+        "obstacles": [
+            { "shape": { "ball": { "radius": 0.4 } }, "position": vector(3.0, 0.0, 0.0) }
+        ],
+        "laws": [
+            { "alignment": {
+                "kernel": cucker_smale, "normalisation": "motsch_tadmor", "epsilon": 0.01,
+                "gain": { "bounded": { "bound": [1, 2, 3, 1, 2, 3, 4], "scale": 0.3 } },
+                "orientation": { "angle": 1.5, "speed": 0.5, "length": 0.3 },
+                "masking": { "radius": 0.5 },
+                "line_of_sight": { "agents": 0.5, "obstacles": 0 }
+            } },
+            { "alignment": {
+                "kernel": { "exponential": { "length": 3 } }, "normalisation": "mean_field",
+                "graph": { "random": { "arcs": 15 } }, "gain": { "open_loop": beat },
+                "acts_as": "force", "range": 9, "relaxation": "never"
+            } },
+            { "pair_potential": { "potential": { "bond": { "stiffness": 0.1, "length": 2 } } } },
+            { "pair_potential": {
+                "potential": { "logarithmic": { "attraction": 0.2, "repulsion": 0.5 } },
+                "share": "mean", "acts_as": "force"
+            } },
+            { "pair_potential": {
+                "potential": { "gaussian": { "height": 2, "decay": 1 } }, "range": 4
+            } },
+            { "cucker_dong": { "squared_distance": 0.01, "strength": 0.1 } },
+            { "park_bonding": { "velocity_gain": 0.5, "position_gain": 0.3, "radius": 1.5 } },
+            { "first_order_flow": { "rate": 0.5, "potential": { "gazi_passino": {
+                "attraction": 0.1, "repulsion": 1, "squared_length": 2
+            } } } },
+            { "friction": { "coefficient": [0.1, 0.2, 0.1, 0, 0.1, 0.3, 0.1], "exponent": 0.5 } },
+            { "friction_compensation": { "coefficient": 0.1, "acts_as": "force" } },
+            { "self_propulsion": { "propulsion": 0.5, "drag": 0.2 } },
+            { "steering": { "acceleration": vec![beat.clone(); dimension] } },
+            { "scope": { "agents": ["red"], "laws": [
+                { "line_pattern": { "direction": vector(1.0, 1.0, 0.0), "strength": 0.5 } },
+                { "tracking": { "target": { "lissajous": {
+                    "center": vector(1.0, 1.0, 0.0), "amplitudes": vector(2.0, 1.0, 1.0),
+                    "angular_velocities": vector(1.0, 2.0, 3.0)
+                } } } }
+            ] } },
+            { "scope": { "agents": ["blue"], "neighbours": ["red"], "laws": [
+                { "ball_pattern": { "radius": 2 } },
+                { "flatness": {
+                    "trajectories": { "mill_ring": {
+                        "center": vector(6.0, 0.0, 0.0), "radius": [1, 1.2, 1.4],
+                        "angular_velocity": 0.5
+                    } },
+                    "position_gain": 1, "velocity_gain": 2
+                } }
+            ] } }
+        ]
+    }))
+}
