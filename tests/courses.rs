@@ -1,4 +1,4 @@
-//! The courses do what their notes say, on their first seed.
+//! The courses and mixtures do what their notes say, on their first seed.
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -52,7 +52,7 @@ where
 
 /// Runs a course; its goal is to get past a place along the first axis.
 fn course(name: &str, goal: f64) -> Run {
-    let run = match load(&format!("courses/{name}")) {
+    let run = match load(name) {
         AnyWorld::Plane(world) => to_the_end(world, |state, i| state.positions[i][0] > goal),
         AnyWorld::Space(world) => to_the_end(world, |state, i| state.positions[i][0] > goal),
     };
@@ -63,17 +63,20 @@ fn course(name: &str, goal: f64) -> Run {
 #[test]
 fn solved_courses_are_solved() {
     let courses = [
-        ("slalom", 290.0),
-        ("forest", 250.0),
-        ("corridor", 330.0),
-        ("funnel-and-door", 140.0),
-        ("moving-gates", 230.0),
-        ("rotating-door", 140.0),
-        ("shepherds-wall", 200.0),
-        ("rods", 140.0),
-        ("rings", 240.0),
-        ("pillars", 240.0),
-        ("drifting-spheres", 240.0),
+        ("courses/slalom", 290.0),
+        ("courses/forest", 250.0),
+        ("courses/corridor", 330.0),
+        ("courses/funnel-and-door", 140.0),
+        ("courses/moving-gates", 230.0),
+        ("courses/rotating-door", 140.0),
+        ("courses/shepherds-wall", 200.0),
+        ("courses/rods", 140.0),
+        ("courses/rings", 240.0),
+        ("courses/pillars", 240.0),
+        ("courses/drifting-spheres", 240.0),
+        ("mixtures/masked-forest", 250.0),
+        ("mixtures/tracking-through-gates", 190.0),
+        ("mixtures/line-through-door", 92.0),
     ];
     courses.par_iter().for_each(|&(name, goal)| {
         let run = course(name, goal);
@@ -84,14 +87,14 @@ fn solved_courses_are_solved() {
 
 #[test]
 fn a_wall_across_the_way_stops_the_flock() {
-    let run = course("maze", 200.0);
+    let run = course("courses/maze", 200.0);
     assert_eq!(run.reached, 0);
     assert!(run.summary.last.velocity_mismatch > 9.0, "{run:?}");
 }
 
 #[test]
 fn friction_jams_the_door() {
-    let run = course("escape-panic", 43.0);
+    let run = course("courses/escape-panic", 43.0);
     assert!((5..50).contains(&run.reached), "{}", run.reached);
     // The crowd stands, pressed together.
     assert!(run.summary.last.agent_gap < Some(0.0), "{run:?}");
