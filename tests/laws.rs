@@ -2,10 +2,9 @@
 
 mod common;
 
-use common::{flock_world, headings, spec, world};
+use common::{flock_world, spec, world};
 use proptest::prelude::*;
 use serde_json::json;
-use volary::law::{Flock, State};
 use volary::math::Vector;
 use volary::net::{Net, structural_energy};
 use volary::shape::{Geometry, In, Pose};
@@ -19,26 +18,13 @@ const PROTOCOLS: [&str; 4] = [
     "approximate",
 ];
 
+/// What a world's laws give in some state at time 0.
 fn accelerations<const D: usize>(
     world: &World<D>,
     positions: &[Vector<D>],
     velocities: &[Vector<D>],
 ) -> Vec<Vector<D>> {
-    let mut out = vec![Vector::zeros(); positions.len()];
-    let mut flock = Flock::of_world(world, Vec::new());
-    let obstacles = &world.obstacles;
-    let state = State {
-        time: 0.0,
-        positions,
-        velocities,
-        headings: &headings(velocities),
-        groups: &world.agents.group,
-        masses: &world.agents.mass,
-        rotations: &world.agents.rotations,
-        obstacles,
-    };
-    flock.accelerations(&state, &mut out);
-    out
+    common::accelerations(world, 0.0, positions, velocities)
 }
 
 fn alpha_only(dimension: usize, protocol: &str) -> WorldSpec {

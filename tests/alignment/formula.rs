@@ -6,8 +6,8 @@ use volary::math::Vector;
 use volary::shape::{Geometry, In};
 use volary::world::spec::LawSpec;
 
-use crate::common::headings;
-use crate::scene::{Dice, accelerations, law, probe, state, world};
+use crate::common::{headings, state};
+use crate::scene::{Dice, accelerations, law, probe, world};
 
 const MASSES: [f64; 9] = [1.0, 0.5, 2.0, 1.5, 3.0, 0.7, 1.0, 0.9, 1.2];
 

@@ -6,8 +6,8 @@ use volary::law::{Law, build};
 use volary::math::Vector;
 use volary::shape::{Geometry, In, Pose};
 
-use crate::common::headings;
-use crate::scene::{Dice, accelerations, law, probe, state, world};
+use crate::common::{headings, state};
+use crate::scene::{Dice, accelerations, law, probe, world};
 
 const MASSES: [f64; 8] = [1.0, 0.5, 2.0, 1.5, 3.0, 0.7, 1.0, 0.9];
 

@@ -9,7 +9,7 @@ use volary::sense::Scene;
 use volary::shape::{Geometry, In};
 use volary::world::World;
 
-use crate::common::{self, headings};
+use crate::common::{self, headings, state};
 
 /// A world of agents far apart whose states tests make up, under one alignment law.
 pub fn world<const D: usize>(masses: &[f64], law: Value, more: Value) -> World<D>
@@ -33,26 +33,6 @@ where
         file[name] = value.clone();
     }
     common::world(common::spec(file))
-}
-
-/// A state of a world's agents.
-pub fn state<'a, const D: usize>(
-    world: &'a World<D>,
-    time: f64,
-    positions: &'a [Vector<D>],
-    velocities: &'a [Vector<D>],
-    headings: &'a [Vector<D>],
-) -> State<'a, D> {
-    State {
-        time,
-        positions,
-        velocities,
-        headings,
-        groups: &world.agents.group,
-        masses: &world.agents.mass,
-        rotations: &world.agents.rotations,
-        obstacles: &world.obstacles,
-    }
 }
 
 /// What a law says of one agent: a_ij by the agents of the world, a_ii in its place, and the

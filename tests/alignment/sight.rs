@@ -6,23 +6,8 @@ use volary::math::{Matrix, Vector, axis};
 use volary::shape::{Geometry, In, Pose};
 use volary::world::World;
 
-use crate::common::headings;
-use crate::scene::{Dice, law, probe, state, world};
-
-/// The least value of a convex function along a segment, by ternary search.
-fn least<const D: usize>(
-    from: &Vector<D>,
-    to: &Vector<D>,
-    value: impl Fn(&Vector<D>) -> f64,
-) -> f64 {
-    let at = |t: f64| value(&(from + (to - from) * t));
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..90 {
-        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if at(a) < at(b) { high = b } else { low = a }
-    }
-    at(low).min(at(high)).min(at(0.0)).min(at(1.0))
-}
+use crate::common::{headings, least, state};
+use crate::scene::{Dice, law, probe, world};
 
 /// Balls, rods and boxes, a ball and a box as obstacles, under one law.
 fn crowd<const D: usize>(law: serde_json::Value, half: &Vector<D>) -> World<D>

@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each test file uses some of it")]
 
+use volary::law::{Flock, State};
 use volary::math::{Vector, axis, direction};
 use volary::shape::{Geometry, In};
 use volary::world::World;
@@ -271,4 +272,53 @@ pub fn parade(dimension: usize) -> WorldSpec {
             ] } }
         ]
     }))
+}
+
+/// A state of a world's agents.
+pub fn state<'a, const D: usize>(
+    world: &'a World<D>,
+    time: f64,
+    positions: &'a [Vector<D>],
+    velocities: &'a [Vector<D>],
+    headings: &'a [Vector<D>],
+) -> State<'a, D> {
+    State {
+        time,
+        positions,
+        velocities,
+        headings,
+        groups: &world.agents.group,
+        masses: &world.agents.mass,
+        rotations: &world.agents.rotations,
+        obstacles: &world.obstacles,
+    }
+}
+
+/// The accelerations that a world's laws give in some state, in the order of the world.
+pub fn accelerations<const D: usize>(
+    world: &World<D>,
+    time: f64,
+    positions: &[Vector<D>],
+    velocities: &[Vector<D>],
+) -> Vec<Vector<D>> {
+    let mut out = vec![Vector::zeros(); positions.len()];
+    let headings = headings(velocities);
+    let state = state(world, time, positions, velocities, &headings);
+    Flock::of_world(world, Vec::new()).accelerations(&state, &mut out);
+    out
+}
+
+/// The least value of a convex function along a segment, by ternary search.
+pub fn least<const D: usize>(
+    from: &Vector<D>,
+    to: &Vector<D>,
+    value: impl Fn(&Vector<D>) -> f64,
+) -> f64 {
+    let at = |t: f64| value(&(from + (to - from) * t));
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..90 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if at(a) < at(b) { high = b } else { low = a }
+    }
+    at(low).min(at(high)).min(at(0.0)).min(at(1.0))
 }

@@ -6,8 +6,8 @@ use volary::shape::{Geometry, In};
 use volary::simulation::Simulation;
 use volary::world::World;
 
-use crate::common::{self, headings};
-use crate::scene::{Dice, state, world};
+use crate::common::{self, headings, state};
+use crate::scene::{Dice, world};
 
 fn rates(world: &World<2>, at: &[Vector<2>], v: &[Vector<2>]) -> Vec<f64> {
     let mut out = vec![Vector::zeros(); at.len()];

@@ -4,8 +4,8 @@ use serde_json::json;
 use volary::math::{Bump, Vector};
 use volary::shape::{Geometry, In};
 
-use crate::common::headings;
-use crate::scene::{Dice, Watch, pairs, state, who, world};
+use crate::common::{headings, state};
+use crate::scene::{Dice, Watch, pairs, who, world};
 
 fn limits_equal_their_definitions<const D: usize>()
 where

@@ -5,8 +5,8 @@ use volary::law::Flock;
 use volary::math::Vector;
 use volary::world::World;
 
-use crate::common::headings;
-use crate::scene::{Dice, Told, Watch, state, who, world};
+use crate::common::{headings, state};
+use crate::scene::{Dice, Told, Watch, who, world};
 
 const RANGE: f64 = 3.0;
 

@@ -121,26 +121,6 @@ impl<const D: usize> Watch<D> {
     }
 }
 
-/// A state of a world's agents.
-pub fn state<'a, const D: usize>(
-    world: &'a World<D>,
-    time: f64,
-    positions: &'a [Vector<D>],
-    velocities: &'a [Vector<D>],
-    headings: &'a [Vector<D>],
-) -> State<'a, D> {
-    State {
-        time,
-        positions,
-        velocities,
-        headings,
-        groups: &world.agents.group,
-        masses: &world.agents.mass,
-        rotations: &world.agents.rotations,
-        obstacles: &world.obstacles,
-    }
-}
-
 /// The pairs for which something holds, in order.
 pub fn pairs(n: usize, holds: impl Fn(usize, usize) -> bool) -> Vec<[usize; 2]> {
     let all = (0..n).flat_map(|i| (0..n).map(move |j| [i, j]));

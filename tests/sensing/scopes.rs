@@ -6,8 +6,8 @@ use volary::math::Vector;
 use volary::metric::measure;
 use volary::world::World;
 
-use crate::common::headings;
-use crate::scene::{Dice, Watch, pairs, state, who, world};
+use crate::common::{headings, state};
+use crate::scene::{Dice, Watch, pairs, who, world};
 
 fn accelerations<const D: usize>(
     world: &World<D>,

@@ -7,8 +7,8 @@ use volary::math::Vector;
 use volary::simulation::Simulation;
 use volary::trace::record::Record;
 
-use crate::common::headings;
-use crate::scene::{Dice, Watch, pairs, state, who, world};
+use crate::common::{headings, state};
+use crate::scene::{Dice, Watch, pairs, who, world};
 
 #[test]
 fn others_are_seen_as_they_were() {

@@ -9,8 +9,7 @@ use volary::simulation::Simulation;
 use volary::world::World;
 use volary::world::spec::TrajectoriesSpec;
 
-use crate::accelerations;
-use crate::common::{from_json, order, world};
+use crate::common::{accelerations, from_json, order, world};
 
 const AGENTS: usize = 6;
 

@@ -7,8 +7,7 @@ use volary::math::Vector;
 use volary::shape::{Geometry, In};
 use volary::world::World;
 
-use crate::accelerations;
-use crate::common::{from_json, world};
+use crate::common::{accelerations, from_json, world};
 
 /// Six agents of two groups and unequal masses, under some laws.
 fn six<const D: usize>(laws: Value) -> World<D>

@@ -6,8 +6,7 @@ use volary::math::Vector;
 use volary::shape::{Geometry, In};
 use volary::world::World;
 
-use crate::accelerations;
-use crate::common::{from_json, world};
+use crate::common::{accelerations, from_json, world};
 
 const AGENTS: usize = 5;
 
