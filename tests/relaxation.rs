@@ -250,3 +250,134 @@ fn velocities_stay_in_the_convex_hull_for_any_rate_and_step() {
         }
     }
 }
+
+/// A world under alignment that changes with time and with where the agents look.
+fn changing(iterations: usize, step: f64) -> WorldSpec {
+    common::spec(serde_json::json!({
+        "dimension": 2,
+        "time": { "step": step, "end": 1.6 },
+        "record": { "every": 1.6 },
+        "physics": { "solver_iterations": iterations },
+        "agents": [{
+            "radius": 0.01,
+            "positions": { "explicit": [[0, 0], [3, 0], [0, 4], [5, 5]] },
+            "velocities": { "explicit": [[1, 0], [0, 1], [-1, 0.5], [2, -1]] }
+        }],
+        "laws": [
+            { "alignment": {
+                "kernel": { "cucker_smale": { "exponent": 0.5 } },
+                "normalisation": "motsch_tadmor", "relaxation": "always",
+                "gain": { "open_loop": { "sine": { "mean": 2, "amplitude": 2, "period": 3 } } },
+                "orientation": { "angle": 1.5, "softness": 0.8, "speed": 0.5, "length": 1 }
+            } },
+            { "steering": { "accelerations": [[0.5, 0], [0, 0.3], [-0.2, 0.1], [0, 0]] } }
+        ]
+    }))
+}
+
+#[test]
+fn gains_that_change_with_time_and_heading_are_of_second_order_with_substeps() {
+    for iterations in [1, 2, 4] {
+        let end = |step: f64| -> Vec<Vector<2>> {
+            let mut run = Simulation::<2>::new(world(changing(iterations, step))).expect("finite");
+            for _ in 0..run.world().steps() {
+                run.step().expect("a finite state");
+            }
+            let state = run.snapshot();
+            state
+                .positions
+                .iter()
+                .chain(state.velocities)
+                .copied()
+                .collect()
+        };
+        let exact = end(0.0005);
+        let steps = [0.08, 0.04, 0.02];
+        let errors = steps.map(|step| {
+            let far = end(step)
+                .into_iter()
+                .zip(&exact)
+                .map(|(a, b)| (a - b).norm());
+            far.fold(0.0, f64::max)
+        });
+        let order = order(&steps, &errors);
+        assert!(
+            (1.7..2.6).contains(&order),
+            "{iterations} iterations: {errors:?}, {order:.2}"
+        );
+    }
+}
+
+#[test]
+fn the_top_speed_holds_while_velocities_relax() {
+    for push in [3.0, 4.0, 30.0] {
+        let spec = common::spec(serde_json::json!({
+            "dimension": 2,
+            "time": { "step": 0.1, "end": 3 },
+            "record": { "every": 3 },
+            "agents": [{
+                "radius": 0.1, "top_speed": 1,
+                "positions": { "explicit": [[0, 0], [0, 5]] },
+                "velocities": { "explicit": [[0, 0.5], [0, -0.5]] }
+            }],
+            "laws": [
+                { "alignment": { "gain": 20, "relaxation": "always" } },
+                { "steering": { "acceleration": [push, 0] } }
+            ]
+        }));
+        let mut run = Simulation::<2>::new(world(spec)).expect("a finite start");
+        let mut fastest = 0.0;
+        for _ in 0..run.world().steps() {
+            run.step().expect("a finite state");
+            for velocity in run.snapshot().velocities {
+                assert!(velocity.norm() < 1.0 + 1e-12, "{push}: {}", velocity.norm());
+                fastest = f64::max(fastest, velocity.norm());
+            }
+        }
+        assert!(fastest > 0.99, "{push}: {fastest}");
+    }
+}
+
+#[test]
+fn laws_that_are_stiff_together_relax() {
+    let law = serde_json::json!({ "alignment": { "normalisation": "motsch_tadmor", "gain": 24 } });
+    let mut spec = flock(2, 0.01, 5.0, 0.0);
+    spec.laws = common::from_json(serde_json::json!(vec![law; 8]));
+    let mut run = Simulation::<2>::new(world(spec)).expect("a finite start");
+    for _ in 0..run.world().steps() {
+        run.step().expect("a finite state");
+    }
+    assert!(volary::metric::diameter(run.snapshot().velocities) < 1e-9);
+}
+
+/// Two that are pulled together collide head on: the contact stops them, and the flock goes on.
+#[test]
+fn bodies_touch_while_they_relax() {
+    let spec = common::spec(serde_json::json!({
+        "dimension": 2,
+        "time": { "step": 0.01, "end": 3 },
+        "record": { "every": 3 },
+        "physics": { "restitution": 0.5 },
+        "agents": [{
+            "radius": 0.5,
+            "positions": { "explicit": [[0, 0], [4, 0], [2, 9]] },
+            "velocities": { "explicit": [[4, 0], [-4, 0], [0, 0]] }
+        }],
+        "laws": [{ "alignment": { "gain": 0.2, "relaxation": "always" } }]
+    }));
+    let mut run = Simulation::<2>::new(world(spec)).expect("a finite start");
+    let mut total = 0.0f64;
+    for _ in 0..run.world().steps() {
+        run.step().expect("a finite state");
+        total = total.max(run.snapshot().velocities.iter().sum::<Vector<2>>().norm());
+    }
+    let contacts = run.ledger().agent_contacts();
+    assert!(
+        contacts.episodes >= 1 && contacts.deepest_penetration < 0.05,
+        "{contacts:?}"
+    );
+    assert!(total < 1e-9, "momentum appears: {total}");
+    // They bounced back, and then slowed down towards the mean, which is rest.
+    let state = run.snapshot();
+    assert!(state.velocities[0][0] < 0.0 && state.velocities[1][0] > 0.0);
+}

@@ -89,6 +89,11 @@ impl Actuators {
         force
     }
 
+    /// Whether a body may go at this speed.
+    pub(super) fn allow(&self, body: usize, speed: f64) -> bool {
+        speed <= self.top_speeds[body]
+    }
+
     /// Goes on counting from what was counted before.
     pub(super) fn resume(&mut self, cuts: Cuts) {
         self.cuts = cuts;

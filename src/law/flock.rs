@@ -111,18 +111,26 @@ impl<const D: usize> Flock<D> {
     /// integrated apart, see [`Flock::pulls`].
     pub fn forces(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
         self.remember(state);
-        self.add_up(|_, law| !law.relaxes(), state, out);
+        let stiff = self.is_stiff();
+        self.add_up(|_, law| !relaxes(law, stiff), state, out);
     }
 
     /// Whether some law relaxes.
     pub fn relaxes(&self) -> bool {
-        self.laws.iter().any(|law| law.relaxes())
+        let stiff = self.is_stiff();
+        self.laws.iter().any(|law| relaxes(&**law, stiff))
     }
 
     /// Writes the pulls of the laws that relax into `pulls`. Nothing is written into the
     /// history.
     pub fn pulls(&mut self, state: &State<'_, D>, pulls: &mut Pulls<D>) {
-        self.pulls_of(|_, law| law.relaxes(), state, pulls);
+        let stiff = self.is_stiff();
+        self.pulls_of(|_, law| relaxes(law, stiff), state, pulls);
+    }
+
+    /// Whether the laws together are too stiff to be held over a step.
+    fn is_stiff(&self) -> bool {
+        self.laws.iter().map(|law| law.stiffness()).sum::<f64>() >= STIFF
     }
 
     /// The pulls of law number `law`; nothing where it has none. Nothing is written into
@@ -255,6 +263,14 @@ impl<const D: usize> Flock<D> {
             out[agent as usize] = *acceleration;
         }
     }
+}
+
+/// Rate × step from which on pulls are integrated apart.
+const STIFF: f64 = 0.25;
+
+/// Whether a law relaxes, among laws that are stiff together or are not.
+fn relaxes<const D: usize>(law: &dyn Law<D>, stiff: bool) -> bool {
+    law.relaxes() || (stiff && law.stiffness() > 0.0)
 }
 
 /// Some of the laws.

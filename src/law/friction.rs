@@ -1,6 +1,6 @@
 //! Friction, and what makes up for it.
 //!
-//! u_i = ∓ c_i |v_i|^r v_i; v̇_i = u_i, or u_i/m_i where it acts as a force.
+//! u_i = ∓ c_i |v_i|^r_i v_i; v̇_i = u_i, or u_i/m_i where it acts as a force.
 //!
 //! | law | sign | source |
 //! |---|---|---|
@@ -11,7 +11,7 @@
 //! | parameter | symbol | unit |
 //! |---|---|---|
 //! | `coefficient` | c_i (Shi, Wang & Chu's k_i), one for all or one for each agent | (time/length)^r/time; times mass where it is a force |
-//! | `exponent` | r ≥ 0 | 1 |
+//! | `exponent` | r ≥ 0, one for all or one for each agent | 1 |
 //!
 //! Compensation with the coefficients of the friction cancels it. It is a law of its own since
 //! agents may only have an estimate of their friction: where that is too high, they speed up
@@ -29,7 +29,7 @@ pub struct Friction {
     sign: f64,
     /// Of each agent of the world.
     coefficients: Vec<f64>,
-    exponent: f64,
+    exponents: Vec<f64>,
     acts_as: ActsAs,
 }
 
@@ -50,7 +50,7 @@ impl Friction {
             name,
             sign,
             coefficients: spec.coefficient.spread(acts_on),
-            exponent: spec.exponent,
+            exponents: spec.exponent.spread(acts_on),
             acts_as: spec.acts_as,
         }
     }
@@ -64,8 +64,9 @@ impl<const D: usize> Law<D> for Friction {
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
         for (i, acceleration) in (first..).zip(out) {
             let velocity = scene.velocities[i];
-            let coefficient = self.coefficients[scene.agents[i] as usize];
-            let power = libm::pow(velocity.norm(), self.exponent);
+            let agent = scene.agents[i] as usize;
+            let coefficient = self.coefficients[agent];
+            let power = libm::pow(velocity.norm(), self.exponents[agent]);
             let factor = self.sign * self.acts_as.factor(scene.mass(i));
             *acceleration += velocity * (factor * coefficient * power);
         }

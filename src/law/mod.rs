@@ -78,6 +78,13 @@ pub trait Law<const D: usize>: Send + Sync {
         false
     }
 
+    /// The most by which the law's pulls may change a velocity in a step, as a share of how
+    /// far it is from those that it is pulled to: rate × step. Laws whose stiffness adds up to
+    /// a quarter or more relax as well. 0 where the law has no pulls, or is not to relax.
+    fn stiffness(&self) -> f64 {
+        0.0
+    }
+
     /// Calls `visit` with every agent of the scene whose influence on agent `i` something in
     /// the line of sight weakens or blocks; none where the law does not look.
     fn blocked(&self, _scene: &Scene<'_, D>, _i: usize, _visit: &mut dyn FnMut(usize)) {}

@@ -110,6 +110,11 @@ impl<const D: usize> Pulls<D> {
         terms.map(|&(agent, weight)| (agent as usize, weight))
     }
 
+    /// The number of other agents that a row follows.
+    pub fn count(&self, row: &Row<D>) -> usize {
+        row.terms.len()
+    }
+
     /// u_i = Σ_j a_ij (v_j − v_i) of a row, at these velocities.
     pub fn drive(&self, row: &Row<D>, velocities: &[Vector<D>]) -> Vector<D> {
         let velocity = velocities[row.agent];

@@ -78,6 +78,10 @@ impl<const D: usize> Law<D> for Scoped<D> {
         self.law.relaxes()
     }
 
+    fn stiffness(&self) -> f64 {
+        self.law.stiffness()
+    }
+
     fn blocked(&self, scene: &Scene<'_, D>, i: usize, visit: &mut dyn FnMut(usize)) {
         if self.acts_on(scene.groups[i]) {
             let scene = narrowed(scene, self.means, self.sees.as_deref());

@@ -59,9 +59,14 @@ pub fn shortened<const D: usize>(vector: Vector<D>, length: f64) -> Vector<D> {
         return vector;
     }
     let mut short = vector * (length / norm);
-    // Rounding may leave it a hair too long.
-    while short.norm() > length {
-        short *= 1.0 - f64::EPSILON;
+    // Rounding may leave it a hair too long, and more where squares underflow.
+    let mut hair = f64::EPSILON;
+    while short.norm() > length && hair < 1.0 {
+        short *= 1.0 - hair;
+        hair *= 2.0;
+    }
+    if short.norm() > length {
+        return Vector::zeros();
     }
     short
 }
@@ -85,6 +90,10 @@ mod tests {
                     assert!(product.norm() > 9.0 || size > 1e140, "{size}");
                 }
             }
+        }
+        for length in [1e-320, 2.7e-162, 1e-155, 0.0] {
+            let short = shortened(Vector::<2>::new(1.0, 1.0), length);
+            assert!(short.norm() <= length);
         }
         assert!((gain.largest() - 10.0 / 0.1f64.sqrt()).abs() < 1e-12);
         assert_eq!(gain.scaled(2.0).at(0.3), 2.0 * gain.at(0.3));

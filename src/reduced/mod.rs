@@ -80,7 +80,8 @@ pub enum NoReduction {
     Parts,
     /// The layer takes for ever.
     #[error(
-        "the agents do not come to one velocity within {steps} steps of the layer's integration"
+        "the agents do not come to one velocity within {steps} steps of the layer's integration; \
+         gains that are bounded with a very small scale make it stiff"
     )]
     Endless {
         /// The steps taken.

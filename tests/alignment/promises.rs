@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use serde_json::json;
-use volary::law::{Law, build};
+use volary::law::{Flock, Law, build};
 use volary::math::Vector;
 use volary::shape::{Geometry, In, Pose};
 
@@ -202,7 +202,7 @@ fn smooth_senses_weigh_before_the_normalisation() {
 fn stiff_laws_relax_and_slow_ones_do_not() {
     let relaxes = |file: serde_json::Value| {
         let boxed: Box<dyn Law<2>> = law(&world::<2>(&MASSES, file, json!({})));
-        boxed.relaxes()
+        Flock::new(vec![boxed]).relaxes()
     };
     // The step is 0.01, so a rate of 25 is the limit; the lightest mass is a half.
     let tadmor = |gain: f64| json!({ "normalisation": "motsch_tadmor", "gain": gain });

@@ -15,14 +15,19 @@ impl<const D: usize> Bodies<D> {
             self.wanted_before.clone_from(&self.wanted);
         }
         if flock.relaxes() {
-            // Influences in the middle of what the engine's velocities span.
+            // In the middle of what the engine's velocities span; but obstacles stay.
             let ahead = self.lead() * self.step_size;
-            let places = self.positions.iter().zip(&self.velocities);
-            let positions: Vec<_> = places.map(|(x, v)| x + v * ahead).collect();
+            let later = |of: &[Vector<D>], rates: &[Vector<D>]| -> Vec<Vector<D>> {
+                let pairs = of.iter().zip(rates);
+                pairs.map(|(x, rate)| x + rate * ahead).collect()
+            };
+            let positions = later(&self.positions, &self.velocities);
+            let velocities = later(&self.velocities, &self.applied);
             let mut pulls = std::mem::take(&mut self.pulls);
-            let positions = &positions;
             let state = State {
-                positions,
+                time: self.time() + ahead,
+                positions: &positions,
+                velocities: &velocities,
                 ..self.state()
             };
             flock.pulls(&state, &mut pulls);
@@ -37,13 +42,12 @@ impl<const D: usize> Bodies<D> {
         let mut wanted: Vec<_> = wanted.map(|(now, old)| now + (now - old) * lead).collect();
         let relaxed = self.relax(&mut wanted);
         let lag = self.lag();
-        // From the engine's velocity to that read at the end of the step; what relaxes
-        // gets no faster after the engine's step.
-        let span = match relaxed {
-            None => self.step_size + lag,
-            Some(_) => self.step_size,
-        };
         for (i, wanted) in wanted.iter().enumerate() {
+            // What relaxes ends the step where it ends, unless it is too fast for the body.
+            let relaxed = relaxed.as_ref().map(|relaxed| &relaxed[i]);
+            let relaxed = relaxed.filter(|it| self.actuators.allow(i, it.fastest));
+            // From the engine's velocity to that read at the end of the step.
+            let span = self.step_size + if relaxed.is_some() { 0.0 } else { lag };
             let mass = self.masses[i];
             let coasting = self.engine_velocities[i] + self.gravity * span;
             let before = (self.step > 0).then_some(self.pushes[i]);
@@ -52,8 +56,8 @@ impl<const D: usize> Bodies<D> {
             self.pushes[i] = self.actuators.act(i, asked, before, &coasting, gain);
             self.forces[i] = self.pushes[i] + self.gravity * mass;
             self.applied[i] = self.forces[i] / mass;
-            self.ahead[i] = match &relaxed {
-                Some(ahead) if self.pushes[i] == asked => ahead[i],
+            self.ahead[i] = match relaxed {
+                Some(relaxed) if self.pushes[i] == asked => relaxed.ahead,
                 _ => self.applied[i] * lag,
             };
             // Squared speeds must stay finite as well, or the engine stops the body.
@@ -72,7 +76,7 @@ impl<const D: usize> Bodies<D> {
     /// Turns the accelerations wanted by the other laws into those that take the engine's
     /// velocities, with the pulls, to where they relax to over the step; and tells how the
     /// velocities relax on from there to the end of the step. Nothing where nothing pulls.
-    fn relax(&self, wanted: &mut [Vector<D>]) -> Option<Vec<Vector<D>>> {
+    fn relax(&self, wanted: &mut [Vector<D>]) -> Option<Vec<Relaxed<D>>> {
         if self.pulls.is_empty() {
             return None;
         }
@@ -86,6 +90,18 @@ impl<const D: usize> Bodies<D> {
         for (i, wanted) in wanted.iter_mut().enumerate() {
             *wanted = (to[i] - from[i]) / self.step_size - self.gravity;
         }
-        Some(end.iter().zip(&to).map(|(end, to)| end - to).collect())
+        let relaxed = to.iter().zip(&end).map(|(to, end)| Relaxed {
+            ahead: end - to,
+            fastest: f64::max(to.norm(), end.norm()),
+        });
+        Some(relaxed.collect())
     }
+}
+
+/// How a velocity relaxes over a step.
+struct Relaxed<const D: usize> {
+    /// From the engine's velocity to that at the end of the step.
+    ahead: Vector<D>,
+    /// The larger of the two speeds.
+    fastest: f64,
 }

@@ -10,8 +10,8 @@
 //! a mean of T^k(v) for the map T(v) = P v + b/λ. Where b is zero every T(v)_i is a mean of
 //! velocities, so v(t) stays in their convex hull for any λt. The terms P^k (Q v + b)/λ
 //! soon become the same for all agents where everyone influences everyone; then the rest of
-//! the sum is known. Where they do not, the number of terms follows λt, and beyond a number of
-//! agents' worth of it t is halved until they are few, and the solution doubled back.
+//! the sum is known. Where they do not, the number of terms follows λt, and where that would
+//! take longer t is halved until they are few, and the solution doubled back.
 
 use nalgebra::DMatrix;
 
@@ -19,9 +19,8 @@ use super::poisson::Tails;
 use crate::law::Pulls;
 use crate::math::Vector;
 
-/// Terms for each agent that are summed before the solution is found by doubling, whose work
-/// grows with the cube of the number of agents.
-const TERMS_FOR_EACH: usize = 64;
+/// Terms that are always summed before the solution is found by doubling.
+const FEW_TERMS: usize = 256;
 
 /// What is neglected, as a share of the velocities.
 const ROUNDING: f64 = 1e-16;
@@ -62,8 +61,23 @@ impl<'a, const D: usize> Linear<'a, D> {
             let moved = velocities.iter().zip(self.drift);
             return moved.map(|(v, drift)| v + drift * time).collect();
         }
-        self.summed(mean, velocities, TERMS_FOR_EACH * velocities.len())
+        self.summed(mean, velocities, self.worthwhile(mean))
             .unwrap_or_else(|| self.doubled(mean, velocities))
+    }
+
+    /// How many terms take no longer than doubling would: each goes once through all links,
+    /// for every component, and that is some thirty products of matrices.
+    fn worthwhile(&self, mean: f64) -> usize {
+        let agents = self.drift.len() as f64;
+        let links: usize = self
+            .pulls
+            .rows()
+            .iter()
+            .map(|row| self.pulls.count(row))
+            .sum();
+        let doubling = agents * agents * agents * (25.0 + libm::log2(mean).max(0.0));
+        let terms = doubling / (D * (links + self.drift.len())) as f64;
+        FEW_TERMS.max(terms as usize)
     }
 
     /// What the pulls alone accelerate each agent by at these velocities.

@@ -243,12 +243,14 @@ impl<const D: usize> Law<D> for Alignment<D> {
         Some(Pull { gain, own })
     }
 
-    /// Where the rate over the step may be a quarter or more, if that is left to the law.
     fn relaxes(&self) -> bool {
+        self.relaxation == RelaxationSpec::Always
+    }
+
+    fn stiffness(&self) -> f64 {
         match self.relaxation {
-            RelaxationSpec::Auto => self.largest_rate() * self.step >= 0.25,
-            RelaxationSpec::Always => true,
-            RelaxationSpec::Never => false,
+            RelaxationSpec::Auto => self.largest_rate() * self.step,
+            RelaxationSpec::Always | RelaxationSpec::Never => 0.0,
         }
     }
 

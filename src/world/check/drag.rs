@@ -2,7 +2,7 @@
 
 use super::{Check, size};
 use crate::world::spec::{
-    ActsAs, FrictionSpec, PerAgent, ScopeSpec, SelfPropulsionSpec, Values, WorldSpec, acts_on,
+    ActsAs, FrictionSpec, PerAgent, ScopeSpec, SelfPropulsionSpec, WorldSpec, acts_on,
 };
 
 impl Check {
@@ -15,17 +15,17 @@ impl Check {
         world: &WorldSpec,
     ) {
         self.friction_compensation(path, law, scope, world);
-        if law.exponent == 0.0 {
-            let rate = match &law.coefficient {
-                Values::All(value) => {
-                    largest_rate(law.acts_as, std::iter::repeat(*value), scope, world)
-                }
-                Values::Each(values) => {
-                    largest_rate(law.acts_as, values.iter().copied(), scope, world)
-                }
-            };
-            self.damping(&format!("{path}.coefficient"), over_mass(law.acts_as), rate);
-        }
+        // Of the agents whose friction is linear; what it is for others depends on their speed.
+        let agents = (0..).map(|place| {
+            let linear = law.exponent.of(place) == 0.0;
+            if linear {
+                law.coefficient.of(place)
+            } else {
+                0.0
+            }
+        });
+        let rate = largest_rate(law.acts_as, agents, scope, world);
+        self.damping(&format!("{path}.coefficient"), over_mass(law.acts_as), rate);
     }
 
     /// Checks what makes up for friction.
@@ -36,12 +36,12 @@ impl Check {
         scope: Option<&ScopeSpec>,
         world: &WorldSpec,
     ) {
-        self.values(
-            &format!("{path}.coefficient"),
-            &law.coefficient,
-            scope,
-            world,
-        );
+        for (field, values) in [
+            ("coefficient", &law.coefficient),
+            ("exponent", &law.exponent),
+        ] {
+            self.values(&format!("{path}.{field}"), values, scope, world);
+        }
     }
 
     /// Near the cruising speed √(α/β), speeds go there at the rate 2α.

@@ -288,8 +288,8 @@ impl Default for LineOfSightSpec {
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "Relaxation")]
 pub enum RelaxationSpec {
-    /// Exactly over a step, where the largest rate that the law can have, times the step, is
-    /// a quarter or more; otherwise as all other laws.
+    /// Exactly over a step, where the largest rates that all such laws of the world can have
+    /// add up to a quarter or more over the step; otherwise as all other laws.
     #[default]
     Auto,
     /// Exactly over a step.

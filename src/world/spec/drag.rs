@@ -13,10 +13,9 @@ use super::{ActsAs, Values};
 pub struct FrictionSpec {
     /// Coefficient c_i (1/time over speed to the power of r; times mass where it is a force).
     pub coefficient: Values,
-    /// Exponent r: 0 is linear friction, 1 that of a wake.
-    #[serde(default)]
-    #[schemars(range(min = 0))]
-    pub exponent: f64,
+    /// Exponent r, or one for each agent: 0 is linear friction, 1 that of a wake.
+    #[serde(default = "linear")]
+    pub exponent: Values,
     /// Whether the friction is an acceleration, or is divided by the agent's mass.
     #[serde(default)]
     pub acts_as: ActsAs,
@@ -37,4 +36,8 @@ pub struct SelfPropulsionSpec {
     /// Whether this is an acceleration, or is divided by the agent's mass.
     #[serde(default)]
     pub acts_as: ActsAs,
+}
+
+fn linear() -> Values {
+    Values::All(0.0)
 }

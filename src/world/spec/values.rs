@@ -27,6 +27,15 @@ impl Values {
         }
     }
 
+    /// The value of the agent in this place among those that the law acts on; 0 behind the end
+    /// of a list.
+    pub fn of(&self, place: usize) -> f64 {
+        match self {
+            Self::All(value) => *value,
+            Self::Each(values) => values.get(place).copied().unwrap_or(0.0),
+        }
+    }
+
     /// The largest value, 0 where there are none.
     pub fn largest(&self) -> f64 {
         match self {
