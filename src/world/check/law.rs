@@ -30,6 +30,7 @@ pub fn velocity_to_follow<'a>(
 impl Check {
     /// Checks the laws, and the scopes that they stand in.
     pub(super) fn laws(&mut self, world: &WorldSpec) {
+        self.damped = vec![0.0; world.agents.len()];
         for (index, law) in world.laws.iter().enumerate() {
             let path = format!("laws[{index}]");
             let LawSpec::Scope(scope) = law else {
@@ -46,6 +47,7 @@ impl Check {
                 self.law(&format!("{path}.laws[{index}]"), law, Some(scope), world);
             }
         }
+        self.damping_together();
     }
 
     /// A name must be that of one group.
@@ -78,6 +80,9 @@ impl Check {
 
     /// Checks a law; the world's other laws may give what it leaves out.
     fn law(&mut self, path: &str, law: &LawSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) {
+        let groups = world.agents.iter().enumerate();
+        let acted_on = groups.filter(|(_, group)| acts_on(scope, group));
+        self.acted_on = acted_on.map(|(index, _)| index).collect();
         match law {
             LawSpec::AlphaInteraction(law) => {
                 let path = format!("{path}.alpha_interaction");
@@ -153,7 +158,29 @@ impl Check {
     pub(super) fn damping(&mut self, path: &str, times: &str, rate: f64) {
         let n = self.substeps as f64;
         let limit = 2.0 * n * n / ((n + 1.0) * (2.0 * n - 1.0));
+        let before = self.problems.len();
         self.stable(path, times, rate, limit / self.step);
+        if self.problems.len() == before {
+            for &group in &self.acted_on {
+                self.damped[group] += rate;
+            }
+        }
+    }
+
+    /// Laws that are stable one by one may not be so together.
+    fn damping_together(&mut self) {
+        self.acted_on.clear();
+        for (group, rate) in std::mem::take(&mut self.damped).into_iter().enumerate() {
+            let before = self.problems.len();
+            let what = format!(
+                "damp the velocities of agents[{group}] at {} together,",
+                number(rate)
+            );
+            self.damping("laws", &format!("{what} which"), rate);
+            if self.problems.len() > before {
+                return;
+            }
+        }
     }
 
     /// Linear feedback on the position is stable at stiffnesses (1/time²) below 4/step²: an

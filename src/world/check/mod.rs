@@ -48,6 +48,8 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
         dimension: world.dimension,
         step: world.time.step,
         substeps: world.substeps(),
+        acted_on: Vec::new(),
+        damped: Vec::new(),
         problems: Vec::new(),
     };
     check.time(&world.time, &world.record);
@@ -104,6 +106,10 @@ struct Check {
     dimension: usize,
     step: f64,
     substeps: usize,
+    /// The groups that the law being checked acts on.
+    acted_on: Vec<usize>,
+    /// For each group, the rate at which the laws checked so far damp its velocities.
+    damped: Vec<f64>,
     problems: Vec<Problem>,
 }
 
