@@ -17,47 +17,53 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
         time(summary.time),
         plural(summary.steps, "step")
     );
-    let mut row = |name: &str, value: String, meaning: &str| {
-        let _ = writeln!(text, "  {name:<20}{value:>12}   {meaning}");
+    // What the world does not define is left out.
+    let mut row = |name: &str, value: Option<String>, meaning: &str| {
+        if let Some(value) = value {
+            let _ = writeln!(text, "  {name:<20}{value:>12}   {meaning}");
+        }
     };
-    let maybe = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
-    let count = |value: Option<usize>| value.map_or_else(|| "-".to_owned(), |n| n.to_string());
+    let count = |value: Option<usize>| value.map(|n| n.to_string());
     row(
         "density",
-        maybe(last.density),
+        last.density.map(number),
         "share of agents in the largest component",
     );
     row("components", count(last.components), "of the proximity net");
     row("edges", count(last.edges), "of the proximity net");
     row(
         "polarization",
-        number(last.polarization),
+        Some(number(last.polarization)),
         "1: all headings agree",
     );
     row(
         "velocity mismatch",
-        number(last.velocity_mismatch),
+        Some(number(last.velocity_mismatch)),
         "rms, to the velocity steered to",
     );
     row(
         "velocity diameter",
-        number(last.velocity_diameter),
+        Some(number(last.velocity_diameter)),
         "largest difference of two",
     );
     row(
         "position diameter",
-        number(last.position_diameter),
+        Some(number(last.position_diameter)),
         "largest distance of two",
     );
-    row("structural energy", maybe(last.structural_energy), "H_s");
+    row(
+        "structural energy",
+        last.structural_energy.map(number),
+        "H_s",
+    );
     row(
         "smallest agent gap",
-        maybe(summary.smallest_agent_gap),
+        summary.smallest_agent_gap.map(number),
         "between surfaces, at frames and contacts",
     );
     row(
         "smallest obst. gap",
-        maybe(summary.smallest_obstacle_gap),
+        summary.smallest_obstacle_gap.map(number),
         "between surfaces, at frames and contacts",
     );
     for (name, cuts, meaning) in [
@@ -77,9 +83,7 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
             "agent-steps at the top speed",
         ),
     ] {
-        if cuts > 0 {
-            row(name, cuts.to_string(), meaning);
-        }
+        row(name, (cuts > 0).then(|| cuts.to_string()), meaning);
     }
     let _ = write!(
         text,
