@@ -44,14 +44,7 @@ pub fn problems(world: &WorldSpec) -> Vec<Problem> {
 
 /// Everything wrong with a world that agrees with the schema.
 pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
-    let mut check = Check {
-        dimension: world.dimension,
-        step: world.time.step,
-        substeps: world.substeps(),
-        acted_on: Vec::new(),
-        damped: Vec::new(),
-        problems: Vec::new(),
-    };
+    let mut check = Check::new(world.dimension, world.time.step, world.substeps());
     check.time(&world.time, &world.record);
     if let Some(gravity) = &world.physics.gravity {
         check.vector("physics.gravity", gravity);
@@ -114,6 +107,17 @@ struct Check {
 }
 
 impl Check {
+    fn new(dimension: usize, step: f64, substeps: usize) -> Self {
+        Self {
+            dimension,
+            step,
+            substeps,
+            acted_on: Vec::new(),
+            damped: Vec::new(),
+            problems: Vec::new(),
+        }
+    }
+
     fn add(&mut self, path: impl Into<String>, what: impl Into<String>) {
         self.problems.push(Problem::new(path, what));
     }

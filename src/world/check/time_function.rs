@@ -95,12 +95,7 @@ mod tests {
     use super::*;
 
     fn problems(function: serde_json::Value, least: Option<f64>) -> Vec<(String, String)> {
-        let mut check = Check {
-            dimension: 2,
-            step: 0.01,
-            substeps: 1,
-            problems: Vec::new(),
-        };
+        let mut check = Check::new(2, 0.01, 1);
         check.time_function("f", &serde_json::from_value(function).unwrap(), least);
         let found = check.problems.into_iter();
         found.map(|problem| (problem.path, problem.what)).collect()
