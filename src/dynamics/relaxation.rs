@@ -5,8 +5,8 @@
 //! other accelerations b_i held. Where no gain depends on u the equation is linear and is
 //! solved as it stands ([`linear`]). Otherwise time is cut into parts, each taken with
 //! the gains in its middle, short enough that halving it makes next to no difference: second
-//! order, and as every part is a mean of velocities plus what b adds, nothing leaves the convex hull of
-//! the velocities for b = 0, however fast the gains are.
+//! order, and as every part is a mean of velocities plus what b adds, nothing leaves the convex
+//! hull of the velocities for b = 0, however fast the gains are.
 
 mod linear;
 mod poisson;
@@ -19,6 +19,9 @@ use linear::Linear;
 /// apart.
 const TOLERANCE: f64 = 1e-5;
 
+/// The same as a share of the velocities themselves: rounding.
+const ROUNDING: f64 = 1e-14;
+
 /// How many parts of a step are tried with this tolerance, among some agents. What is left of the
 /// step then, because gains fall off within a tiny difference of velocities, is taken in parts
 /// that grow: still means of velocities, but no longer of second order. A part's work may grow
@@ -27,9 +30,6 @@ fn most_parts(agents: usize) -> usize {
     let cube = agents.saturating_mul(agents).saturating_mul(agents);
     (10_000_000 / cube.max(1)).clamp(100, 1000)
 }
-
-/// The same as a share of the velocities themselves: rounding.
-const ROUNDING: f64 = 1e-14;
 
 /// Where velocities that relax and are accelerated by `drift` besides are after some time.
 ///
@@ -101,10 +101,11 @@ fn in_parts<const D: usize>(
                 break;
             }
         }
-        length *= match count >= most || error == 0.0 {
+        let factor = match count >= most || error == 0.0 {
             true => 2.0,
             false => (0.9 * libm::cbrt(allowed / error)).clamp(0.2, 5.0),
         };
+        length = f64::max(length * factor, 1e-12 * time);
     }
     now
 }
