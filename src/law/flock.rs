@@ -169,10 +169,9 @@ impl<const D: usize> Flock<D> {
     /// The links: who perceives whom within the largest range of the laws, as pairs of
     /// agents, the one that perceives first; sorted.
     pub fn links(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
-        let [range, side] = range_and_side(&self.laws);
-        let scene = self
-            .stage
-            .scene(state, [range, side], self.senses.as_ref(), &self.history);
+        let [range, _] = range_and_side(&self.laws);
+        let senses = self.senses.as_ref();
+        let scene = self.stage.scene(state, &self.laws, senses, &self.history);
         let mut links = Vec::new();
         if range > 0.0 {
             for (i, &agent) in scene.agents.iter().enumerate() {
@@ -188,10 +187,8 @@ impl<const D: usize> Flock<D> {
     /// The lines of sight in which something weakens or blocks an influence, for some law, as
     /// pairs of agents, the one that looks first; sorted.
     pub fn blocked(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
-        let ranges = range_and_side(&self.laws);
-        let scene = self
-            .stage
-            .scene(state, ranges, self.senses.as_ref(), &self.history);
+        let senses = self.senses.as_ref();
+        let scene = self.stage.scene(state, &self.laws, senses, &self.history);
         let mut blocked = Vec::new();
         for law in &mut self.laws {
             law.prepare(&scene);
@@ -214,12 +211,8 @@ impl<const D: usize> Flock<D> {
         pulls: &mut Pulls<D>,
     ) {
         let mut laws = choose(&mut self.laws, chosen);
-        let scene = self.stage.scene(
-            state,
-            range_and_side(&laws),
-            self.senses.as_ref(),
-            &self.history,
-        );
+        let senses = self.senses.as_ref();
+        let scene = self.stage.scene(state, &laws, senses, &self.history);
         pulls.clear();
         for law in &mut laws {
             law.prepare(&scene);
@@ -235,12 +228,8 @@ impl<const D: usize> Flock<D> {
         out: &mut [Vector<D>],
     ) {
         let mut laws = choose(&mut self.laws, chosen);
-        let scene = self.stage.scene(
-            state,
-            range_and_side(&laws),
-            self.senses.as_ref(),
-            &self.history,
-        );
+        let senses = self.senses.as_ref();
+        let scene = self.stage.scene(state, &laws, senses, &self.history);
         for law in &mut laws {
             law.prepare(&scene);
         }
@@ -297,14 +286,15 @@ fn range_and_side<const D: usize>(laws: &[impl Borrow<Box<dyn Law<D>>>]) -> [f64
 }
 
 impl<const D: usize> Stage<D> {
-    /// The scene that laws which look as far as `range` see, in cells of this side.
+    /// The scene that some laws see.
     fn scene<'a>(
         &'a mut self,
         state: &State<'a, D>,
-        [range, side]: [f64; 2],
+        laws: &[impl Borrow<Box<dyn Law<D>>>],
         senses: Option<&Senses<D>>,
         history: &History<D>,
     ) -> Scene<'a, D> {
+        let [range, side] = range_and_side(laws);
         let Self {
             cells,
             velocities,

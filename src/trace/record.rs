@@ -91,7 +91,8 @@ pub struct Frame {
     /// The metrics of this state.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub metrics: Option<Metrics>,
-    /// The acceleration that each law asks for, before the actuator limit.
+    /// The acceleration that each law asks for, before the actuator limit; of laws that relax
+    /// the one at this moment, which may last for less than a step.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accelerations: Option<Vec<LawAccelerations>>,
     /// The β-agents of the obstacle laws.
