@@ -9,7 +9,8 @@ use volary::sense::Scene;
 use volary::shape::{Geometry, In};
 use volary::world::World;
 
-use crate::common::{self, headings, state};
+use crate::common;
+pub use crate::common::{Dice, accelerations};
 
 /// A world of agents far apart whose states tests make up, under one alignment law.
 pub fn world<const D: usize>(masses: &[f64], law: Value, more: Value) -> World<D>
@@ -112,38 +113,4 @@ pub fn probe<const D: usize>(
 /// The first law of a world.
 pub fn law<const D: usize>(world: &World<D>) -> Box<dyn Law<D>> {
     build(world).remove(0)
-}
-
-/// The accelerations by a world's laws as the flock sums them.
-pub fn accelerations<const D: usize>(
-    world: &World<D>,
-    time: f64,
-    x: &[Vector<D>],
-    v: &[Vector<D>],
-) -> Vec<Vector<D>> {
-    let mut out = vec![Vector::zeros(); x.len()];
-    let headings = headings(v);
-    Flock::of_world(world, Vec::new())
-        .accelerations(&state(world, time, x, v, &headings), &mut out);
-    out
-}
-
-/// Numbers for tests (a linear congruential generator).
-pub struct Dice(pub u64);
-
-impl Dice {
-    /// Uniform in an interval.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Vectors uniform in a box.
-    pub fn vectors<const D: usize>(&mut self, n: usize, low: f64, high: f64) -> Vec<Vector<D>> {
-        let vector = |_| Vector::from_fn(|_, _| self.between(low, high));
-        (0..n).map(vector).collect()
-    }
 }

@@ -322,3 +322,27 @@ pub fn least<const D: usize>(
     }
     at(low).min(at(high)).min(at(0.0)).min(at(1.0))
 }
+
+/// Numbers for test scenes (a linear congruential generator).
+pub struct Dice(pub u64);
+
+impl Dice {
+    /// Uniform in an interval.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Uniform in a box.
+    pub fn vector<const D: usize>(&mut self, low: f64, high: f64) -> Vector<D> {
+        Vector::from_fn(|_, _| self.between(low, high))
+    }
+
+    /// Several of them.
+    pub fn vectors<const D: usize>(&mut self, n: usize, low: f64, high: f64) -> Vec<Vector<D>> {
+        (0..n).map(|_| self.vector(low, high)).collect()
+    }
+}

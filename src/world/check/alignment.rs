@@ -1,10 +1,11 @@
 //! Checks of velocity alignment.
 
+use super::drag::largest_rate;
 use super::{Check, LARGEST, size};
 use crate::world::problem::Problem;
 use crate::world::spec::{
     ActsAs, AlignmentSpec, GainSpec, GraphSpec, KernelSpec, NormalisationSpec, OpenLoopSpec,
-    PerAgent, RelaxationSpec, ScopeSpec, Values, VaryingGainSpec, WorldSpec, acts_on,
+    RelaxationSpec, ScopeSpec, Values, VaryingGainSpec, WorldSpec,
 };
 use crate::world::words::number;
 
@@ -170,21 +171,7 @@ fn rate(law: &AlignmentSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) -> Op
         }) => bound / scale,
         GainSpec::Varying(_) => return None,
     };
-    let mass = match law.acts_as {
-        ActsAs::Acceleration => 1.0,
-        ActsAs::Force => {
-            let groups = world.agents.iter().filter(|group| acts_on(scope, group));
-            let mut lightest = groups.map(|group| match (&group.mass, group.density) {
-                (Some(PerAgent::All(mass)), _) => Some(*mass),
-                (Some(PerAgent::Each(masses)), _) => {
-                    Some(masses.iter().copied().fold(f64::INFINITY, f64::min))
-                }
-                (None, None) => Some(1.0),
-                (None, Some(_)) => None,
-            });
-            lightest.try_fold(f64::INFINITY, |least, mass| Some(f64::min(least, mass?)))?
-        }
-    };
+    let gain = largest_rate(law.acts_as, std::iter::repeat(gain), scope, world);
     let seen = (world.agents.iter())
         .filter(|group| scope.is_none_or(|scope| scope.sees(group)))
         .filter_map(size)
@@ -204,5 +191,5 @@ fn rate(law: &AlignmentSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) -> Op
         }
         _ => return None,
     };
-    Some(gain / law.epsilon / mass * sum)
+    Some(gain / law.epsilon * sum)
 }
