@@ -45,11 +45,13 @@
 //! - [`trace`]: what a run leaves behind
 //! - [`metric`]: functions of a state, and the ledger of contacts
 //! - [`reduced`]: the reduced model of fast flocking
+//! - [`claim`]: the papers' theorems, and what they come to on a run
 //! - [`simulation`]: the loop
 //! - [`checkpoint`]: a simulation in a file, to go on with later
 //! - [`schema`]: JSON Schemas of the file formats
 
 pub mod checkpoint;
+pub mod claim;
 pub mod dynamics;
 pub mod law;
 pub mod math;

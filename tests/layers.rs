@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 13] = [
+const LAYERS: [&str; 14] = [
     "math",
     "shape",
     "world",
@@ -14,6 +14,7 @@ const LAYERS: [&str; 13] = [
     "trace",
     "metric",
     "reduced",
+    "claim",
     "simulation",
     "checkpoint",
     "schema",

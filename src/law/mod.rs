@@ -7,6 +7,7 @@
 mod alignment;
 mod alpha_interaction;
 mod cucker_dong;
+mod field;
 mod first_order_flow;
 mod flatness;
 mod flock;
@@ -28,6 +29,7 @@ mod tracking;
 pub use alignment::Alignment;
 pub use alpha_interaction::AlphaInteraction;
 pub use cucker_dong::CuckerDong;
+pub use field::Field;
 pub use first_order_flow::FirstOrderFlow;
 pub use flatness::Flatness;
 pub use flock::{Flock, State};

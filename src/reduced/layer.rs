@@ -1,7 +1,8 @@
 //! The transient layer, in which the agents come to one velocity where they are.
 
-use super::stage::{Coupling, Stage};
+use super::coupling::Coupling;
 use super::{NoReduction, stationary, weighted};
+use crate::law::Field;
 use crate::math::{DormandPrince, Vector, mean};
 
 /// How exactly the layer is integrated, and how near to each other velocities are the same;
@@ -15,7 +16,7 @@ const MOST_STEPS: usize = 200_000;
 /// The velocity that the agents with a weight come to, and all others with them, by (4.23),
 /// V' = ξ(u)u with the positions held. Influences that depend on velocities follow these.
 pub(super) fn limit<const D: usize>(
-    aligning: &mut Stage<'_, D>,
+    aligning: &mut Field<'_, D>,
     positions: &[Vector<D>],
     velocities: &[Vector<D>],
     weights: &[f64],
@@ -36,9 +37,9 @@ pub(super) fn limit<const D: usize>(
     let counts: Vec<usize> = (0..weights.len()).filter(|&i| weights[i] > 0.0).collect();
     let slope = |_: f64, w: &[f64], out: &mut [f64]| {
         let v = unpack(w);
-        let coupling = aligning.coupling(0.0, positions, &v);
+        let coupling = Coupling::of(aligning, 0.0, positions, &v);
         for (i, out) in out.chunks_exact_mut(D).enumerate() {
-            let slope = coupling.of(i, &v) / scale;
+            let slope = coupling.acceleration(i, &v) / scale;
             out.copy_from_slice(slope.as_slice());
         }
     };
@@ -51,7 +52,7 @@ pub(super) fn limit<const D: usize>(
         if far.fold(0.0, f64::max) <= TOGETHER * scale {
             drop(solution);
             // Gains hardly change any more, so from here on Σπ_i V_i is conserved.
-            let rates = aligning.coupling(0.0, positions, &v).rates();
+            let rates = Coupling::of(aligning, 0.0, positions, &v).rates();
             let weights = stationary(&rates).ok_or(NoReduction::Parts)?;
             return Ok(weighted(&weights, &v));
         }
@@ -65,7 +66,7 @@ pub(super) fn limit<const D: usize>(
 
 impl Coupling {
     /// The acceleration of agent i, ξ_i(u_i)u_i.
-    fn of<const D: usize>(&self, i: usize, velocities: &[Vector<D>]) -> Vector<D> {
+    fn acceleration<const D: usize>(&self, i: usize, velocities: &[Vector<D>]) -> Vector<D> {
         let mut u = Vector::zeros();
         for (j, velocity) in velocities.iter().enumerate() {
             u += (velocity - velocities[i]) * self.influences[(i, j)];

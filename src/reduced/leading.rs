@@ -4,6 +4,7 @@ use std::path::Path;
 
 use nalgebra::DMatrix;
 
+use super::coupling::Coupling;
 use super::{FastFlocking, NoReduction, stationary, weighted};
 use crate::math::{DormandPrince, Vector};
 use crate::trace::{TraceError, write_text};
@@ -40,7 +41,7 @@ impl<const D: usize> FastFlocking<'_, D> {
             let (moved, velocity) = halves(state);
             let positions = shifted(world, &moved);
             let velocities = vec![velocity; positions.len()];
-            let rates = aligning.coupling(time, &positions, &velocities).rates();
+            let rates = Coupling::of(aligning, time, &positions, &velocities).rates();
             if differ(&rates, &known.0) {
                 match stationary(&rates) {
                     Some(weights) => known = (rates, weights),

@@ -12,20 +12,20 @@
 //! the layer, and its end has to be computed: both are given here.
 
 mod chain;
+mod coupling;
 mod layer;
 mod leading;
-mod stage;
 
 pub use chain::stationary;
 pub use leading::{Leading, write_leading};
 
 use nalgebra::DMatrix;
 
-use crate::law::{Law, build_where};
+use crate::law::{Field, Law, build_where};
 use crate::math::{Stuck, Vector};
 use crate::world::World;
 use crate::world::spec::LawSpec;
-use stage::Stage;
+use coupling::Coupling;
 
 /// The most agents of a reduced model; its work grows with the cube of their number.
 pub const MOST_AGENTS: usize = 1000;
@@ -33,8 +33,8 @@ pub const MOST_AGENTS: usize = 1000;
 /// The reduced model of fast flocking of a world; see the module.
 pub struct FastFlocking<'w, const D: usize> {
     world: &'w World<D>,
-    aligning: Stage<'w, D>,
-    others: Stage<'w, D>,
+    aligning: Field<'w, D>,
+    others: Field<'w, D>,
     /// P: the influence a_ij of agent j on agent i at the start, a_ii included, (4.7).
     pub influences: DMatrix<f64>,
     /// Q: the rates ξ_i(0)a_ij, and on the diagonal minus the sum of the others of the row,
@@ -138,8 +138,8 @@ impl<'w, const D: usize> FastFlocking<'w, D> {
         if senses.any(|it| it.delay > 0.0 || it.dropout > 0.0 || it.noise != plain) {
             return Err(NoReduction::Perception);
         }
-        let mut aligning = Stage::new(world, aligning);
-        let coupling = aligning.coupling(0.0, &agents.positions, &agents.velocities);
+        let mut aligning = Field::new(world, aligning);
+        let coupling = Coupling::of(&mut aligning, 0.0, &agents.positions, &agents.velocities);
         let rates = coupling.rates();
         let weights = stationary(&rates).ok_or(NoReduction::Parts)?;
         let printed = weighted(&weights, &agents.velocities);
@@ -152,7 +152,7 @@ impl<'w, const D: usize> FastFlocking<'w, D> {
         Ok(Self {
             world,
             aligning,
-            others: Stage::new(world, others),
+            others: Field::new(world, others),
             influences: coupling.influences,
             rates,
             weights,

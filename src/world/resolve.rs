@@ -26,7 +26,7 @@ pub enum AnyWorld {
 
 /// A world of `D` dimensions: its file with every default filled in, and what follows
 /// from it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct World<const D: usize> {
     /// Name, for traces and reports.
     pub name: String,

@@ -9,6 +9,7 @@
 
 mod agents;
 mod alignment;
+mod claim;
 mod drag;
 mod graph;
 mod law;
@@ -32,6 +33,7 @@ pub use alignment::{
     AlignmentSpec, GainSpec, KernelSpec, LineOfSightSpec, MaskingSpec, NormalisationSpec,
     OpenLoopSpec, OrientationSpec, RelaxationSpec, VaryingGainSpec,
 };
+pub use claim::{ClaimSpec, DynamicsName, VerdictSpec};
 pub use drag::{FrictionSpec, SelfPropulsionSpec};
 pub use graph::GraphSpec;
 pub use law::{
@@ -94,6 +96,10 @@ pub struct WorldSpec {
     /// What the trace records, and how often.
     #[serde(default)]
     pub record: RecordSpec,
+    /// What `volary validate` is to find here; of claims that are not listed only that none is
+    /// violated.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub claims: Vec<ClaimSpec>,
 }
 
 impl WorldSpec {

@@ -1,14 +1,13 @@
-//! Laws of a world, asked for any state of its agents.
-
-use nalgebra::DMatrix;
+//! The vector field of a world: what its laws ask of any state of its agents.
 
 use crate::law::{Flock, Law, State};
-use crate::math::{Gain, Matrix, Vector, direction};
+use crate::math::{Matrix, Vector, direction};
 use crate::shape::Obstacle;
 use crate::world::World;
 
-/// Some laws, and what stands around the agents.
-pub(super) struct Stage<'w, const D: usize> {
+/// Some laws, and what stands around the agents, asked for states that need not be those of
+/// any run.
+pub struct Field<'w, const D: usize> {
     world: &'w World<D>,
     flock: Flock<D>,
     obstacles: Vec<Obstacle<D>>,
@@ -17,15 +16,13 @@ pub(super) struct Stage<'w, const D: usize> {
     rotations: &'w [Matrix<D>],
 }
 
-/// How all agents pull each other in some state.
-pub(super) struct Coupling {
-    /// a_ij, a_ii included.
-    pub influences: DMatrix<f64>,
-    /// The gain of each agent; 0 of those that nothing pulls.
-    pub gains: Vec<Gain>,
-}
+impl<'w, const D: usize> Field<'w, D> {
+    /// The laws that the world's file names.
+    pub fn of_world(world: &'w World<D>) -> Self {
+        Self::new(world, super::build(world))
+    }
 
-impl<'w, const D: usize> Stage<'w, D> {
+    /// Some laws in a world, whose agents perceive as those of the world do.
     pub fn new(world: &'w World<D>, laws: Vec<Box<dyn Law<D>>>) -> Self {
         let round = world.spec.agents.iter().all(|group| group.is_round());
         Self {
@@ -37,7 +34,12 @@ impl<'w, const D: usize> Stage<'w, D> {
         }
     }
 
-    /// What the laws give each agent.
+    /// The world.
+    pub fn world(&self) -> &'w World<D> {
+        self.world
+    }
+
+    /// What the laws give each agent, gravity apart.
     pub fn accelerations(
         &mut self,
         time: f64,
@@ -50,31 +52,8 @@ impl<'w, const D: usize> Stage<'w, D> {
         out
     }
 
-    /// Where the first law pulls each agent.
-    pub fn coupling(
-        &mut self,
-        time: f64,
-        positions: &[Vector<D>],
-        velocities: &[Vector<D>],
-    ) -> Coupling {
-        let count = positions.len();
-        let mut coupling = Coupling {
-            influences: DMatrix::zeros(count, count),
-            gains: vec![Gain::Constant(0.0); count],
-        };
-        let (flock, state) = self.at(time, positions, velocities);
-        let pulls = flock.pulls_of_law(0, &state);
-        for row in pulls.rows() {
-            coupling.gains[row.agent] = row.gain;
-            coupling.influences[(row.agent, row.agent)] = row.own;
-            for (agent, weight) in pulls.terms(row) {
-                coupling.influences[(row.agent, agent)] += weight;
-            }
-        }
-        coupling
-    }
-
-    fn at<'a>(
+    /// The flock, and the state to ask it for.
+    pub fn at<'a>(
         &'a mut self,
         time: f64,
         positions: &'a [Vector<D>],
@@ -105,20 +84,5 @@ impl<'w, const D: usize> Stage<'w, D> {
             obstacles: &self.obstacles,
         };
         (&mut self.flock, state)
-    }
-}
-
-impl Coupling {
-    /// Q: how fast each agent turns to each other one where all velocities are nearly the
-    /// same, and minus the sum of the row on the diagonal.
-    pub fn rates(&self) -> DMatrix<f64> {
-        let mut rates = self.influences.clone();
-        for i in 0..rates.nrows() {
-            let gain = self.gains[i].largest();
-            rates[(i, i)] = 0.0;
-            rates.row_mut(i).scale_mut(gain);
-            rates[(i, i)] = -rates.row(i).iter().sum::<f64>();
-        }
-        rates
     }
 }

@@ -1,0 +1,57 @@
+//! Claims: each is seen to hold, and to fail where it should.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod djokam_rathinam;
+mod li_liu_wu;
+mod olfati_saber_2003;
+mod runs;
+mod shi_wang_chu;
+mod song_2013;
+
+use volary::claim::abouts;
+
+/// The tests of all papers.
+const TESTS: [&str; 5] = [
+    include_str!("djokam_rathinam.rs"),
+    include_str!("li_liu_wu.rs"),
+    include_str!("olfati_saber_2003.rs"),
+    include_str!("shi_wang_chu.rs"),
+    include_str!("song_2013.rs"),
+];
+
+/// No claim may be satisfied by doing nothing: a test must see it hold, and one must see it
+/// violated, or at least its hypotheses broken.
+#[test]
+fn every_claim_is_seen_to_hold_and_to_fail() {
+    let called = |verb: &str, name: &str| {
+        let call = format!("{verb}(\"{name}\"");
+        TESTS.iter().any(|text| text.contains(&call))
+    };
+    for about in abouts() {
+        let name = about.name;
+        assert!(called("holds", name), "nowhere does {name} hold");
+        let fails = called("violated", name) || called("unmet", name);
+        assert!(fails, "nowhere does {name} fail");
+    }
+}
+
+#[test]
+fn names_are_unique_and_texts_are_whole() {
+    let mut names: Vec<_> = abouts().iter().map(|about| about.name).collect();
+    names.sort_unstable();
+    let count = names.len();
+    names.dedup();
+    assert_eq!(names.len(), count);
+    for about in abouts() {
+        assert_eq!(about.name.split('/').count(), 2, "{}", about.name);
+        let texts = [
+            about.source,
+            about.statement,
+            about.hypotheses,
+            about.measured,
+            about.tolerance,
+        ];
+        assert!(texts.iter().all(|text| text.len() > 3), "{}", about.name);
+    }
+}
