@@ -1,4 +1,4 @@
-//! The loop: laws, bodies, contacts, frames.
+//! The loop: laws, what moves the agents, contacts, frames.
 
 mod recording;
 
@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::dynamics::{Bodies, BodiesState, Engine, Failure, Snapshot, Unusable};
+use crate::dynamics::{Dynamics, Engine, Failure, Mover, MoverState, Snapshot, Solver, Unusable};
 use crate::law::{Flock, Law};
 use crate::math::Vector;
 use crate::metric::{Ledger, NetAnalysis, measure};
@@ -19,7 +19,7 @@ use crate::world::World;
 /// bit for bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SimulationState<const D: usize> {
-    bodies: BodiesState<D>,
+    agents: MoverState<D>,
     history: History<D>,
     ledger: Ledger,
     net_analysis: NetAnalysis,
@@ -42,7 +42,7 @@ pub enum Pause {
 pub struct Simulation<const D: usize> {
     world: World<D>,
     flock: Flock<D>,
-    bodies: Bodies<D>,
+    agents: Mover<D>,
     ledger: Ledger,
     net_analysis: NetAnalysis,
     smallest_agent_gap: Option<f64>,
@@ -66,12 +66,25 @@ where
     /// # Errors
     /// Where the laws give no finite acceleration at the start.
     pub fn with_laws(world: World<D>, more: Vec<Box<dyn Law<D>>>) -> Result<Self, Failure> {
+        Self::with_dynamics(world, more, Dynamics::Bodies)
+    }
+
+    /// As [`Simulation::with_laws`], with the agents moved in a way of one's choice.
+    ///
+    /// # Errors
+    /// Where the laws give no finite acceleration at the start, or the world cannot be moved
+    /// in this way.
+    pub fn with_dynamics(
+        world: World<D>,
+        more: Vec<Box<dyn Law<D>>>,
+        dynamics: Dynamics,
+    ) -> Result<Self, Failure> {
         let mut flock = Flock::of_world(&world, more);
-        let bodies = Bodies::new(&world, &mut flock)?;
+        let agents = Mover::new(&world, &mut flock, dynamics)?;
         Ok(Self {
             world,
             flock,
-            bodies,
+            agents,
             ledger: Ledger::default(),
             net_analysis: NetAnalysis::default(),
             smallest_agent_gap: None,
@@ -90,12 +103,12 @@ where
         more: Vec<Box<dyn Law<D>>>,
         state: SimulationState<D>,
     ) -> Result<Self, Unusable> {
-        let bodies = Bodies::restore(&world, state.bodies)?;
+        let agents = Mover::restore(&world, state.agents)?;
         let mut flock = Flock::of_world(&world, more);
         *flock.history_mut() = state.history;
         Ok(Self {
             flock,
-            bodies,
+            agents,
             ledger: state.ledger,
             net_analysis: state.net_analysis,
             smallest_agent_gap: state.smallest_agent_gap,
@@ -183,7 +196,7 @@ impl<const D: usize> Simulation<D> {
             record(Record::Frame(self.frame()))?;
         }
         let overlaps = match failed {
-            false => self.bodies.touches_now(),
+            false => self.agents.touches_now(),
             true => Vec::new(),
         };
         let rest = self.ledger.close(self.snapshot().time, &overlaps);
@@ -200,10 +213,10 @@ impl<const D: usize> Simulation<D> {
     /// Where the state or the laws are no longer finite.
     pub fn step(&mut self) -> Result<Vec<Contact>, Failure> {
         let begin = self.snapshot().time;
-        self.bodies.step(&mut self.flock)?;
+        self.agents.step(&mut self.flock)?;
         Ok(self
             .ledger
-            .enter(begin, self.snapshot().time, self.bodies.touches()))
+            .enter(begin, self.snapshot().time, self.agents.touches()))
     }
 
     /// What [`Simulation::restore`] needs to go on from here.
@@ -216,14 +229,14 @@ impl<const D: usize> Simulation<D> {
             // Given again when it is restored.
             world: _,
             flock,
-            bodies,
+            agents,
             ledger,
             net_analysis,
             smallest_agent_gap,
             smallest_obstacle_gap,
         } = self;
         Ok(SimulationState {
-            bodies: bodies.capture()?,
+            agents: agents.capture()?,
             // Laws have no memory.
             history: flock.history().clone(),
             ledger: ledger.clone(),
@@ -240,13 +253,18 @@ impl<const D: usize> Simulation<D> {
 
     /// The state now.
     pub fn snapshot(&self) -> Snapshot<'_, D> {
-        self.bodies.snapshot()
+        self.agents.snapshot()
     }
 
-    /// The force that the laws exerted on each agent in the last step, after the actuators'
-    /// cuts; at the start that of the step to come.
+    /// The force that the laws exerted on each body in the last step, after the actuators'
+    /// cuts; at the start that of the step to come. On points that of now.
     pub fn pushes(&self) -> &[Vector<D>] {
-        self.bodies.pushes()
+        self.agents.pushes()
+    }
+
+    /// What solves the equations of motion; of points only.
+    pub fn solver(&self) -> Option<Solver> {
+        self.agents.solver()
     }
 
     /// The contacts so far.

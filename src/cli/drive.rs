@@ -66,7 +66,8 @@ impl<const D: usize> Drive<'_, D> {
             self.keep_checkpoint(true)?;
         }
         if !self.quiet {
-            print(&summary::table(&done, self.begin.elapsed()))?;
+            let solver = self.simulation.solver();
+            print(&summary::table(&done, solver, self.begin.elapsed()))?;
         }
         self.judge(&done)
     }

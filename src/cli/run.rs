@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::Args;
-use volary::dynamics::Engine;
+use clap::{Args, ValueEnum};
+use volary::dynamics::{Accuracy, Dynamics, Engine};
 use volary::shape::In;
 use volary::simulation::Simulation;
 use volary::trace::TraceWriter;
@@ -20,6 +20,7 @@ Examples:
   volary run my.json --seed 7 --until 20 --summary seven.json
   volary run my.json --trace my.jsonl.zst --set record.every=0.05 --set record.edges=true
   volary run my.json --trace my.jsonl --checkpoint my.ckpt --every 10
+  volary run my.json --dynamics points --accuracy 1e-12
 
 Ctrl-C stops a run in good order: trace and summary are whole up to there. With --checkpoint
 it makes one last checkpoint, too, and `volary resume` goes on from it.";
@@ -42,6 +43,18 @@ pub(super) struct RunArguments {
     /// Set any field of the world, as in laws[0].alpha_interaction.damping=2; may be repeated
     #[arg(long, value_name = "PATH=VALUE")]
     set: Vec<String>,
+    /// What moves the agents
+    #[arg(long, value_enum, default_value_t = Kind::Bodies)]
+    dynamics: Kind,
+    /// Largest error of one step of the solver of points, as a share of the largest position
+    /// and velocity so far; 1e-10 when absent
+    #[arg(
+        long,
+        value_name = "SHARE",
+        value_parser = accuracy,
+        allow_negative_numbers = true
+    )]
+    accuracy: Option<f64>,
     /// Write the trace to this file: .jsonl or .json, also with .gz or .zst behind
     #[arg(long, value_name = "FILE")]
     pub(super) trace: Option<PathBuf>,
@@ -70,7 +83,29 @@ pub(super) struct RunArguments {
     quiet: bool,
 }
 
+/// What moves the agents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// Rigid bodies that push, block and touch each other
+    Bodies,
+    /// Point masses that pass through everything, integrated to an accuracy
+    Points,
+}
+
 impl RunArguments {
+    fn dynamics(&self) -> Result<Dynamics, Refusal> {
+        match (self.dynamics, self.accuracy) {
+            (Kind::Bodies, None) => Ok(Dynamics::Bodies),
+            (Kind::Bodies, Some(_)) => Err(Refusal::bad_input(
+                "--accuracy is for --dynamics points: the accuracy of bodies is that of --step",
+            )),
+            (Kind::Points, relative) => {
+                let accuracy = relative.map(|relative| Accuracy { relative });
+                Ok(Dynamics::Points(accuracy.unwrap_or_default()))
+            }
+        }
+    }
+
     /// Everything that replaces a value of the file; what comes last wins.
     fn overrides(&self) -> Result<Vec<Override>, Refusal> {
         let named = [
@@ -91,6 +126,18 @@ impl RunArguments {
 fn seed(text: &str) -> Result<u64, String> {
     let problem = |_| format!("must be a whole number from 0 to {}", u64::MAX);
     text.parse().map_err(problem)
+}
+
+fn accuracy(text: &str) -> Result<f64, String> {
+    let range = Accuracy::FINEST..=Accuracy::COARSEST;
+    match text.parse::<f64>() {
+        Ok(accuracy) if range.contains(&accuracy) => Ok(accuracy),
+        _ => Err(format!(
+            "must be a number from {:e} to {:e}",
+            range.start(),
+            range.end()
+        )),
+    }
 }
 
 fn time(text: &str) -> Result<f64, String> {
@@ -117,8 +164,10 @@ where
     let begin = Instant::now();
     let stop = stop_on_interrupt();
     let every = every(arguments, &world)?;
-    let simulation = Simulation::new(world).map_err(|failure| {
-        Refusal::failed(format!("{} cannot start: {failure}", arguments.world))
+    let simulation = Simulation::with_dynamics(world, Vec::new(), arguments.dynamics()?);
+    let simulation = simulation.map_err(|failure| match failure.is_bad_input() {
+        true => Refusal::bad_input(format!("{}: {failure}", arguments.world)),
+        false => Refusal::failed(format!("{} cannot start: {failure}", arguments.world)),
     })?;
     let create = match every {
         Some(_) => TraceWriter::create_resumable,

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 use std::time::Duration;
 
+use volary::dynamics::Solver;
 use volary::trace::record::{ContactCount, Summary};
 
-/// The summary of a run as a table for people.
-pub(super) fn table(summary: &Summary, took: Duration) -> String {
+/// The summary of a run as a table for people; of points with what moved them.
+pub(super) fn table(summary: &Summary, solver: Option<Solver>, took: Duration) -> String {
     let last = &summary.last;
     let seconds = took.as_secs_f64();
     let mut text = format!(
@@ -85,12 +86,19 @@ pub(super) fn table(summary: &Summary, took: Duration) -> String {
     ] {
         row(name, (cuts > 0).then(|| cuts.to_string()), meaning);
     }
-    let _ = write!(
-        text,
-        "\n  contacts agent-agent     {}\n  contacts agent-obstacle  {}\n",
-        contacts(&summary.agent_contacts),
-        contacts(&summary.obstacle_contacts)
-    );
+    let _ = match solver {
+        Some(solver) => write!(
+            text,
+            "\n  points, by {} of order {}, to {:e} in each of its steps\n",
+            solver.method, solver.order, solver.relative
+        ),
+        None => write!(
+            text,
+            "\n  contacts agent-agent     {}\n  contacts agent-obstacle  {}\n",
+            contacts(&summary.agent_contacts),
+            contacts(&summary.obstacle_contacts)
+        ),
+    };
     text
 }
 

@@ -24,50 +24,15 @@ mod touch;
 
 pub use state::BodiesState;
 
-use thiserror::Error;
-
 use crate::dynamics::actuator::Actuators;
 use crate::dynamics::attitude::Attitudes;
-use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched};
+use crate::dynamics::failure::{Failure, LARGEST};
+use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched, turn};
 use crate::law::{Flock, Pulls, State};
-use crate::math::{Vector, axis, direction};
+use crate::math::{Vector, axis};
 use crate::shape::{In, Obstacle};
 use crate::world::World;
 use touch::{set_speeds, sort};
-
-/// Positions and speeds from here on end a run: the squares and energies that metrics
-/// sum would overflow.
-const LARGEST: f64 = 1e100;
-
-/// Why a run cannot go on.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum Failure {
-    /// The laws gave an acceleration that is not a number, or too large to act on.
-    #[error(
-        "the acceleration of agent {agent} at time {time} is {value}: the laws ask for more than \
-         can be computed; a smaller step or smaller gains may help"
-    )]
-    Acceleration {
-        /// The agent.
-        agent: usize,
-        /// The time.
-        time: f64,
-        /// The acceleration, printed.
-        value: String,
-    },
-    /// A body's position or velocity is not finite any more, or so large that its
-    /// metrics would not be.
-    #[error(
-        "the position or velocity of agent {agent} at time {time} is not a number, or too large \
-         to compute with; a smaller step or smaller gains may help"
-    )]
-    State {
-        /// The agent.
-        agent: usize,
-        /// The time.
-        time: f64,
-    },
-}
 
 /// Agents as rigid bodies.
 pub struct Bodies<const D: usize> {
@@ -302,12 +267,7 @@ impl<const D: usize> Bodies<D> {
 
     /// Turns the headings: of balls along the velocities, where at rest as they were.
     fn turn(&mut self) {
-        for (heading, velocity) in self.headings.iter_mut().zip(&self.velocities) {
-            let along = direction(velocity);
-            if along.norm_squared() > 0.0 {
-                *heading = along;
-            }
-        }
+        turn(&mut self.headings, &self.velocities);
         if let Some(attitudes) = &self.attitudes {
             attitudes.headings(&mut self.headings);
         }

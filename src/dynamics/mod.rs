@@ -1,20 +1,27 @@
 //! Dynamics: what moves the agents.
 //!
 //! [`Bodies`] couples a flock to rigid bodies in rapier. The engine itself sits behind
-//! [`Physics`], written once and compiled for each dimension.
+//! [`Physics`], written once and compiled for each dimension. [`Points`] integrates the same
+//! flock as the point masses of the papers, to a stated accuracy. A [`Mover`] is one of them.
 
 mod actuator;
 mod attitude;
 mod bodies;
+mod failure;
+mod mover;
+mod points;
 mod relaxation;
 
 pub use actuator::Cuts;
-pub use bodies::{Bodies, BodiesState, Failure};
+pub use bodies::{Bodies, BodiesState};
+pub use failure::Failure;
+pub use mover::{Dynamics, Mover, MoverState};
+pub use points::{Accuracy, Points, PointsState, Solver};
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::math::{Matrix, Vector};
+use crate::math::{Matrix, Vector, direction};
 use crate::shape::{Geometry, In, Obstacle};
 use crate::world::World;
 
@@ -40,6 +47,16 @@ pub struct Snapshot<'a, const D: usize> {
     pub spins: Option<&'a [Vector<3>]>,
     /// The obstacles, where they are now.
     pub obstacles: &'a [Obstacle<D>],
+}
+
+/// Turns headings along the velocities; of who rests, it stays as it was.
+fn turn<const D: usize>(headings: &mut [Vector<D>], velocities: &[Vector<D>]) {
+    for (heading, velocity) in headings.iter_mut().zip(velocities) {
+        let along = direction(velocity);
+        if along.norm_squared() > 0.0 {
+            *heading = along;
+        }
+    }
 }
 
 /// What drives the bodies through one step.

@@ -9,18 +9,27 @@ use crate::sense::active_obstacles;
 use crate::shape::Obstacle;
 use crate::trace::record::{
     BetaAgent, Bodies as BodyProperties, FORMAT, Frame, Header, LawAccelerations, ObstaclePose,
-    Outcome, Summary, VERSION,
+    Outcome, SolverRecord, Summary, VERSION,
 };
 use crate::world::spec::Rotation;
 
 impl<const D: usize> Simulation<D> {
     pub(super) fn header(&self) -> Header {
         let agents = &self.world.agents;
+        let solver = self.solver().map(|solver| SolverRecord {
+            method: solver.method.to_owned(),
+            order: solver.order,
+            relative: solver.relative,
+        });
         Header {
             format: FORMAT.to_owned(),
             version: VERSION,
             program: format!("volary {}", env!("CARGO_PKG_VERSION")),
-            dynamics: "bodies".to_owned(),
+            dynamics: match solver {
+                None => "bodies".to_owned(),
+                Some(_) => "points".to_owned(),
+            },
+            solver,
             name: self.world.name.clone(),
             world: self.world.spec.clone(),
             bodies: BodyProperties {
@@ -41,7 +50,7 @@ impl<const D: usize> Simulation<D> {
         let metrics = self.metrics();
         keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);
         keep_least(&mut self.smallest_obstacle_gap, metrics.obstacle_gap);
-        let state = self.bodies.snapshot();
+        let state = self.agents.snapshot();
         let world = &self.world;
         Frame {
             step: state.step,
@@ -54,7 +63,7 @@ impl<const D: usize> Simulation<D> {
             metrics: world.spec.record.metrics.then_some(metrics),
             accelerations: world.spec.record.accelerations.then(|| {
                 self.flock
-                    .by_law(&self.bodies.state())
+                    .by_law(&self.agents.state())
                     .into_iter()
                     .map(|(law, values)| LawAccelerations {
                         law,
@@ -74,11 +83,11 @@ impl<const D: usize> Simulation<D> {
                 .then(|| self.net_analysis.record(world, &state))
                 .flatten()
                 .map(Box::new),
-            links: (world.spec.record.links).then(|| self.flock.links(&self.bodies.state())),
+            links: (world.spec.record.links).then(|| self.flock.links(&self.agents.state())),
             laws: (world.spec.record.laws)
-                .then(|| laws_record(world, &mut self.flock, &self.bodies.state()))
+                .then(|| laws_record(world, &mut self.flock, &self.agents.state()))
                 .map(Box::new),
-            blocked: (world.spec.record.blocked).then(|| self.flock.blocked(&self.bodies.state())),
+            blocked: (world.spec.record.blocked).then(|| self.flock.blocked(&self.agents.state())),
             obstacles: obstacle_poses(state.obstacles),
         }
     }
@@ -89,8 +98,8 @@ impl<const D: usize> Simulation<D> {
             _ if self.snapshot().step < self.world.steps() => (Outcome::Interrupted, None),
             _ => (Outcome::Completed, None),
         };
-        let cuts = self.bodies.cuts();
-        let state = self.bodies.snapshot();
+        let cuts = self.agents.cuts();
+        let state = self.agents.snapshot();
         let last = measure(&self.world, &state);
         let (mut agent_gap, mut obstacle_gap) =
             (self.smallest_agent_gap, self.smallest_obstacle_gap);

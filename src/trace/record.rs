@@ -51,14 +51,31 @@ pub struct Header {
     pub version: u32,
     /// The program that wrote it, with its version.
     pub program: String,
-    /// What moved the agents: "bodies" is the rigid-body engine.
+    /// What moved the agents: "bodies" is the rigid-body engine, "points" are point masses
+    /// that nothing touches, integrated to an accuracy.
     pub dynamics: String,
+    /// What solved the equations of motion; of points only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solver: Option<SolverRecord>,
     /// Name of the world: the shipped name, or the file's.
     pub name: String,
     /// The world with every default filled in, and the seed that was used.
     pub world: WorldSpec,
     /// The bodies, one entry for each agent.
     pub bodies: Bodies,
+}
+
+/// What solved the equations of motion of points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Solver")]
+pub struct SolverRecord {
+    /// Name of the method.
+    pub method: String,
+    /// Its order.
+    pub order: usize,
+    /// The largest error that one of its steps may make in a position or velocity, as a share
+    /// of the largest position and velocity so far.
+    pub relative: f64,
 }
 
 /// Properties of the bodies; each list has one entry for each agent.

@@ -36,6 +36,7 @@ pub fn header() -> Header {
         version: VERSION,
         program: "volary".to_owned(),
         dynamics: "bodies".to_owned(),
+        solver: None,
         name: "a \\ \"world\"".to_owned(),
         world: serde_json::from_value(world).unwrap(),
         bodies: Bodies {

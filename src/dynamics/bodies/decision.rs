@@ -1,6 +1,7 @@
 //! From what the laws ask for to the forces of one step.
 
-use super::{Bodies, Failure};
+use super::Bodies;
+use crate::dynamics::Failure;
 use crate::dynamics::relaxation::relax;
 use crate::law::{Flock, State};
 use crate::math::Vector;
