@@ -103,8 +103,8 @@ where
         more: Vec<Box<dyn Law<D>>>,
         state: SimulationState<D>,
     ) -> Result<Self, Unusable> {
-        let agents = Mover::restore(&world, state.agents)?;
         let mut flock = Flock::of_world(&world, more);
+        let agents = Mover::restore(&world, &flock, state.agents)?;
         *flock.history_mut() = state.history;
         Ok(Self {
             flock,

@@ -6,7 +6,7 @@ mod common;
 use common::{from_json, world};
 use nalgebra::DMatrix;
 use serde_json::{Value, json};
-use volary::math::{DormandPrince, Vector};
+use volary::math::{DormandPrince, Solution, Vector};
 use volary::reduced::{FastFlocking, Leading, NoReduction, stationary};
 use volary::shape::{Geometry, In};
 use volary::world::World;
@@ -121,7 +121,7 @@ fn full<const D: usize>(
     let agents = &world.agents;
     let start = agents.positions.iter().chain(&agents.velocities);
     let start = start.flat_map(|x| x.as_slice().to_vec()).collect();
-    let mut solution = DormandPrince::new(slope, 0.0, start, 1e-10);
+    let mut solution = Solution::new(slope, DormandPrince::default(), 0.0, start, 1e-10);
     let mut states = Vec::new();
     for &time in times {
         solution.advance_to(time).expect("a solution");

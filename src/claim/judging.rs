@@ -43,14 +43,31 @@ struct Conclusion {
 }
 
 impl Judging {
-    /// Nothing as yet, of a run.
+    /// Nothing as yet, of a run but that its agents can do what their laws ask of them, and
+    /// know what these need.
     pub fn new<const D: usize>(run: &Run<'_, D>) -> Self {
+        let mut judging = Self::of_law();
+        let groups = &run.world.spec.agents;
+        let limited = groups.iter().any(|group| {
+            let limits = [group.force_limit, group.force_rate_limit, group.top_speed];
+            limits.iter().any(Option::is_some)
+        });
+        let sensing = groups.iter().any(|group| group.sensing.is_some());
+        judging.first_contact = run.first_contact;
+        judging.suppose("nothing limits the forces", !limited);
+        judging.suppose("agents perceive without limits or errors", !sensing);
+        judging
+    }
+
+    /// Nothing as yet, of a claim on what a law asks for, whatever comes of it: limits of
+    /// forces, senses and contacts between bodies have no part in it.
+    pub fn of_law() -> Self {
         Self {
             hypotheses: Vec::new(),
             conclusions: Vec::new(),
             quantities: Vec::new(),
             curves: Vec::new(),
-            first_contact: run.first_contact,
+            first_contact: None,
         }
     }
 

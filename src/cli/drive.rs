@@ -177,10 +177,10 @@ pub(super) struct Threads {
 
 impl Threads {
     /// Does something on them.
-    pub(super) fn install(
+    pub(super) fn install<T: Send>(
         &self,
-        work: impl FnOnce() -> Result<(), Refusal> + Send,
-    ) -> Result<(), Refusal> {
+        work: impl FnOnce() -> Result<T, Refusal> + Send,
+    ) -> Result<T, Refusal> {
         let threads = usize::from(self.threads.unwrap_or(0));
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.map_err(Refusal::failed)?.install(work)

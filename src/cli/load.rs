@@ -16,6 +16,15 @@ pub(super) fn load(world: &str, overrides: Vec<Override>) -> Result<AnyWorld, Re
         .map_err(|report| Refusal::BadInput(report.render(in_color())))
 }
 
+/// Overrides as the command line has them, `path=value`.
+pub(super) fn overrides(settings: &[String]) -> Result<Vec<Override>, Refusal> {
+    let parsed = settings.iter().map(|setting| {
+        let parsed: Result<Override, _> = setting.parse();
+        parsed.map_err(|error| Refusal::bad_input(format!("--set: {error}")))
+    });
+    parsed.collect()
+}
+
 /// The document of a world, and the name it runs under.
 fn find(world: &str) -> Result<(String, Document), Refusal> {
     let path = Path::new(world);

@@ -12,6 +12,7 @@ mod resume;
 mod run;
 mod schema;
 mod summary;
+mod validate;
 mod worlds;
 
 use std::fmt::Display;
@@ -54,6 +55,8 @@ enum Command {
     Run(run::RunArguments),
     /// Go on with a run from its last checkpoint
     Resume(resume::ResumeArguments),
+    /// Run worlds, and tell what the papers' claims come to in them
+    Validate(validate::ValidateArguments),
     /// Check worlds without running them
     Check(check::CheckArguments),
     /// Work out the reduced model of fast flocking
@@ -88,6 +91,7 @@ pub fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Resume(arguments) => resume::resume(&arguments),
+        Command::Validate(arguments) => validate::validate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Reduce(arguments) => reduce::reduce(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::json;
 use volary::reduced::{FastFlocking, NoReduction, write_leading};
-use volary::world::{AnyWorld, Override, World};
+use volary::world::{AnyWorld, World};
 
 use super::{Refusal, files, load, print};
 
@@ -42,12 +42,7 @@ pub(super) fn reduce(arguments: &ReduceArguments) -> Result<(), Refusal> {
         ("world", Some(Path::new(&arguments.world))),
         ("leading order", arguments.out.as_deref()),
     ])?;
-    let overrides = arguments.set.iter().map(|setting| {
-        let parsed: Result<Override, _> = setting.parse();
-        parsed.map_err(|error| Refusal::bad_input(format!("--set: {error}")))
-    });
-    let overrides = overrides.collect::<Result<_, _>>()?;
-    match load::load(&arguments.world, overrides)? {
+    match load::load(&arguments.world, load::overrides(&arguments.set)?)? {
         AnyWorld::Plane(world) => reduce_world(arguments, &world),
         AnyWorld::Space(world) => reduce_world(arguments, &world),
     }

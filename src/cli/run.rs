@@ -114,12 +114,7 @@ impl RunArguments {
             self.step.map(|time| format!("time.step={time}")),
         ];
         let settings = named.into_iter().flatten().chain(self.set.iter().cloned());
-        settings
-            .map(|setting| {
-                let parsed: Result<Override, _> = setting.parse();
-                parsed.map_err(|error| Refusal::bad_input(format!("--set: {error}")))
-            })
-            .collect()
+        load::overrides(&settings.collect::<Vec<_>>())
     }
 }
 
@@ -128,7 +123,7 @@ fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(problem)
 }
 
-fn accuracy(text: &str) -> Result<f64, String> {
+pub(super) fn accuracy(text: &str) -> Result<f64, String> {
     let range = Accuracy::FINEST..=Accuracy::COARSEST;
     match text.parse::<f64>() {
         Ok(accuracy) if range.contains(&accuracy) => Ok(accuracy),

@@ -89,8 +89,14 @@ pub(super) fn table(summary: &Summary, solver: Option<Solver>, took: Duration) -
     let _ = match solver {
         Some(solver) => write!(
             text,
-            "\n  points, by {} of order {}, to {:e} in each of its steps\n",
-            solver.method, solver.order, solver.relative
+            "\n  points, by {} of order {}, to {:e} in each of its steps{}\n",
+            solver.method,
+            solver.order,
+            solver.relative,
+            match solver.jumps {
+                0 => String::new(),
+                jumps => format!("; stopped at {} of the laws", plural(jumps, "jump")),
+            }
         ),
         None => write!(
             text,

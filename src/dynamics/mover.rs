@@ -60,14 +60,19 @@ where
         })
     }
 
-    /// The agents of a world as they were when [`Mover::capture`] gave `state`.
+    /// The agents of a world as they were when [`Mover::capture`] gave `state`, under the same
+    /// flock.
     ///
     /// # Errors
     /// Where the state is not one of this world.
-    pub fn restore(world: &World<D>, state: MoverState<D>) -> Result<Self, Unusable> {
+    pub fn restore(
+        world: &World<D>,
+        flock: &Flock<D>,
+        state: MoverState<D>,
+    ) -> Result<Self, Unusable> {
         Ok(match state {
             MoverState::Bodies(state) => Self::Bodies(Bodies::restore(world, state)?),
-            MoverState::Points(state) => Self::Points(Points::restore(world, state)?),
+            MoverState::Points(state) => Self::Points(Points::restore(world, flock, state)?),
         })
     }
 }

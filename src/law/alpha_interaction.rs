@@ -31,7 +31,7 @@
 //! Two agents at the same point have no direction between them and exert no force.
 
 use crate::law::Law;
-use crate::math::{AlphaPair, Vector};
+use crate::math::{AlphaPair, Fade, Vector};
 use crate::sense::Scene;
 use crate::world::spec::{AlphaInteractionSpec, AlphaProtocol};
 
@@ -61,6 +61,12 @@ impl<const D: usize> Law<D> for AlphaInteraction {
 
     fn range(&self) -> f64 {
         self.pair.range
+    }
+
+    fn jump(&self) -> Option<f64> {
+        let sharp = self.pair.fade == Fade::Sharp;
+        let damped_to_the_end = self.damping != 0.0 && !self.weighted_damping;
+        (sharp || damped_to_the_end).then_some(self.pair.range)
     }
 
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {

@@ -76,6 +76,10 @@ impl<const D: usize> Law<D> for CuckerDong {
         self.force.range()
     }
 
+    fn jump(&self) -> Option<f64> {
+        self.force.jump()
+    }
+
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         self.force.prepare(scene);
         let velocity = |place: usize| scene.sees(place).then_some(scene.velocities[place]);

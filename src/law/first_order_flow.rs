@@ -58,6 +58,10 @@ impl<const D: usize> Law<D> for FirstOrderFlow {
         self.flow.range()
     }
 
+    fn jump(&self) -> Option<f64> {
+        self.flow.jump()
+    }
+
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         self.flow.prepare(scene);
     }

@@ -87,6 +87,23 @@ impl<const D: usize> Flock<D> {
         &self.laws
     }
 
+    /// The distances at which some law jumps, increasing: see [`Law::jump`]. Radii of what agents
+    /// see are among them, for laws that look for neighbours end there at once.
+    pub fn jumps(&self) -> Vec<f64> {
+        let looks = self.laws.iter().any(|law| law.range() > 0.0);
+        let reaches = self
+            .senses
+            .iter()
+            .filter(|_| looks)
+            .flat_map(Senses::reaches);
+        let reaches = reaches.copied().filter(|reach| reach.is_finite());
+        let laws = self.laws.iter().filter_map(|law| law.jump());
+        let mut jumps: Vec<f64> = laws.chain(reaches).filter(|jump| *jump > 0.0).collect();
+        jumps.sort_unstable_by(f64::total_cmp);
+        jumps.dedup();
+        jumps
+    }
+
     /// The past that agents with a delay see: what, besides the state, decides how the
     /// flock goes on.
     pub fn history(&self) -> &History<D> {

@@ -50,6 +50,10 @@ impl<const D: usize> Law<D> for HeadingConsensus {
         self.range
     }
 
+    fn jump(&self) -> Option<f64> {
+        self.bump.is_none().then_some(self.range)
+    }
+
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
         for (k, acceleration) in out.iter_mut().enumerate() {
             let i = first + k;

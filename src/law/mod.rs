@@ -63,6 +63,12 @@ pub trait Law<const D: usize>: Send + Sync {
         0.0
     }
 
+    /// The distance at which the law's acceleration jumps, when another agent comes within it
+    /// or leaves it; nothing where it fades out, or has no end.
+    fn jump(&self) -> Option<f64> {
+        None
+    }
+
     /// Prepares what all agents share, before a scene's accelerations are asked for.
     fn prepare(&mut self, _scene: &Scene<'_, D>) {}
 

@@ -44,6 +44,11 @@ impl PairForce {
         self.range
     }
 
+    /// As [`crate::law::Law::jump`].
+    pub fn jump(&self) -> Option<f64> {
+        self.range.is_finite().then_some(self.range)
+    }
+
     /// As [`crate::law::Law::prepare`].
     pub fn prepare<const D: usize>(&mut self, scene: &Scene<'_, D>) {
         self.divisor = match self.share {

@@ -65,6 +65,10 @@ impl<const D: usize> Law<D> for PairPotential {
         self.force.range()
     }
 
+    fn jump(&self) -> Option<f64> {
+        self.force.jump()
+    }
+
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         self.force.prepare(scene);
     }

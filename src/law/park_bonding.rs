@@ -58,6 +58,10 @@ impl<const D: usize> Law<D> for ParkBonding {
         self.range
     }
 
+    fn jump(&self) -> Option<f64> {
+        self.range.is_finite().then_some(self.range)
+    }
+
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         self.share = self.strength / scene.count().max(1) as f64;
     }

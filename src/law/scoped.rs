@@ -60,6 +60,10 @@ impl<const D: usize> Law<D> for Scoped<D> {
         self.law.range()
     }
 
+    fn jump(&self) -> Option<f64> {
+        self.law.jump()
+    }
+
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         let means = [scene.positions, scene.velocities].map(|values| self.mean(scene, values));
         self.means = means;

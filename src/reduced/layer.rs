@@ -3,7 +3,7 @@
 use super::coupling::Coupling;
 use super::{NoReduction, stationary, weighted};
 use crate::law::Field;
-use crate::math::{DormandPrince, Vector, mean};
+use crate::math::{DormandPrince, Solution, Vector, mean};
 
 /// How exactly the layer is integrated, and how near to each other velocities are the same;
 /// both as a share of their largest difference from the mean at the start.
@@ -43,7 +43,7 @@ pub(super) fn limit<const D: usize>(
             out.copy_from_slice(slope.as_slice());
         }
     };
-    let mut solution = DormandPrince::new(slope, 0.0, state, TOLERANCE);
+    let mut solution = Solution::new(slope, DormandPrince::default(), 0.0, state, TOLERANCE);
     let mut steps = 0;
     loop {
         let v = unpack(solution.state());

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 
 use super::coupling::Coupling;
 use super::{FastFlocking, NoReduction, stationary, weighted};
-use crate::math::{DormandPrince, Vector};
+use crate::math::{DormandPrince, Solution, Vector};
 use crate::trace::{TraceError, write_text};
 use crate::world::World;
 
@@ -58,7 +58,7 @@ impl<const D: usize> FastFlocking<'_, D> {
         };
         let mut state = vec![0.0; D];
         state.extend(self.start.iter());
-        let mut solution = DormandPrince::new(slope, 0.0, state, TOLERANCE);
+        let mut solution = Solution::new(slope, DormandPrince::default(), 0.0, state, TOLERANCE);
         let mut course = Vec::with_capacity(times.len());
         let mut stuck = None;
         for &time in times {

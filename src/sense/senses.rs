@@ -79,6 +79,11 @@ impl<const D: usize> Senses<D> {
     pub fn delays(&self) -> impl Iterator<Item = u64> {
         self.groups.iter().map(|sense| sense.delay)
     }
+
+    /// The radius within which each agent sees others, infinite without limit.
+    pub fn reaches(&self) -> &[f64] {
+        &self.reaches
+    }
 }
 
 impl Sense {

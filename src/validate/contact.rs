@@ -68,11 +68,14 @@ fn first<const D: usize>(
     let between_agents = contact.with == Partner::Agent;
     let radii = &bodies.world.agents.radius;
     let points_apart = points.filter(|_| between_agents).and_then(|points| {
-        let near = points.observations.iter().min_by(|a, b| {
-            let far = |time: f64| (time - contact.begin).abs();
-            far(a.time).total_cmp(&far(b.time))
-        })?;
-        Some((near.positions[i] - near.positions[j]).norm())
+        // The engine may feel a contact up to a step before the surfaces meet.
+        let step = bodies.world.spec.time.step;
+        let times = [0.0, 0.5, 1.0, 1.5, 2.0].map(|share| contact.begin + share * step);
+        let apart = times.iter().filter_map(|time| {
+            let offset = points.offset_at(*time, [i, j])?;
+            Some(offset.norm())
+        });
+        apart.min_by(f64::total_cmp)
     });
     let time = contact.begin;
     let cause = if between_agents {
@@ -84,13 +87,16 @@ fn first<const D: usize>(
                  together, {together:.4}: it is their size"
             ),
             Some(apart) => format!(
-                "{met}; as points they are {apart:.4} apart about then, and their radii together \
-                 are {together:.4}: they touch between the times looked at, or for the step"
+                "{met}; as points they are still {apart:.4} apart then, and their radii together \
+                 are {together:.4}: it is how far the bodies had departed from the points"
             ),
             None => format!("{met}; their radii together are {together:.4}"),
         }
     } else {
-        format!("agent {i} of radius {:.4} meets obstacle {j} at {speed:.4}", radii[i])
+        format!(
+            "agent {i} of radius {:.4} meets obstacle {j} at {speed:.4}",
+            radii[i]
+        )
     };
     FirstContact {
         time,

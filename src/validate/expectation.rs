@@ -25,7 +25,8 @@ pub fn problems(world: &WorldSpec) -> Vec<Problem> {
             continue;
         }
         let before = world.claims[..index].iter();
-        let mut contradicting = before.filter(|it| it.claim == expected.claim && meet(it, expected));
+        let mut contradicting =
+            before.filter(|it| it.claim == expected.claim && meet(it, expected));
         if contradicting.next().is_some() {
             let what = "is said before of the same claim and dynamics";
             problems.push(Problem::new(path("expect"), what));

@@ -3,6 +3,7 @@
 mod contact;
 mod course;
 mod expectation;
+pub mod form;
 pub mod report;
 
 pub use course::course;
@@ -39,7 +40,8 @@ where
     In<D>: Engine<D>,
 {
     let claims = claims::<D>();
-    let run = |dynamics: Option<Dynamics>| dynamics.map(|it| judged(world, &claims, it)).transpose();
+    let run =
+        |dynamics: Option<Dynamics>| dynamics.map(|it| judged(world, &claims, it)).transpose();
     let points = wanted.points.map(Dynamics::Points);
     let bodies = wanted.bodies.then_some(Dynamics::Bodies);
     let (points, bodies) = rayon::join(|| run(points), || run(bodies));
@@ -86,9 +88,8 @@ impl WorldReport {
     pub fn as_expected(&self) -> bool {
         let mut findings = self.claims.iter().flat_map(|claim| &claim.findings);
         let exclusions = self.contact.iter().flat_map(|contact| &contact.exclusions);
-        let excluded = |it: &report::ExclusionReport| {
-            it.outcome != report::ContactOutcome::ExcludedYetSeen
-        };
+        let excluded =
+            |it: &report::ExclusionReport| it.outcome != report::ContactOutcome::ExcludedYetSeen;
         findings.all(|it| it.as_expected) && exclusions.into_iter().all(excluded)
     }
 }

@@ -169,8 +169,8 @@ pub struct FirstContact {
     pub obstacle: Option<usize>,
     /// Speed of approach along the normal.
     pub approach_speed: f64,
-    /// Distance between the centres of the same two agents as points, at the nearest time
-    /// looked at; null for obstacles and without a run as points.
+    /// Least distance of the same two agents as points within two steps from then on; null for
+    /// obstacles and without a run as points.
     pub points_apart: Option<f64>,
     /// Why it came about, in a sentence.
     pub cause: String,

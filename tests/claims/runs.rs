@@ -3,11 +3,10 @@
 #![allow(dead_code, reason = "the papers use what they need")]
 
 use volary::claim::{Finding, MovedBy, Run, Verdict, claims};
-use volary::dynamics::Engine;
-use volary::law::Field;
-use volary::math::{DormandPrince, Vector};
+use volary::dynamics::{Accuracy, Dynamics, Engine};
+use volary::math::Vector;
 use volary::shape::In;
-use volary::simulation::Simulation;
+use volary::validate::course;
 use volary::world::{AnyWorld, Document, World, shipped};
 
 /// The relative accuracy of the point runs here.
@@ -32,40 +31,15 @@ pub fn plane(name: &str, set: &[&str]) -> World<2> {
     }
 }
 
-/// The frames of a world that is moved as points, integrated with an error below 1e-10.
-pub fn point_states<const D: usize>(world: &World<D>) -> Vec<Seen<D>> {
-    let mut field = Field::of_world(world);
-    let agents = &world.agents;
-    let half = agents.len() * D;
-    let vectors = |numbers: &[f64]| -> Vec<Vector<D>> {
-        numbers
-            .chunks_exact(D)
-            .map(Vector::from_column_slice)
-            .collect()
-    };
-    let both = [&agents.positions, &agents.velocities];
-    let state = both
-        .into_iter()
-        .flatten()
-        .flat_map(|it| it.iter().copied())
-        .collect();
-    let slope = |time: f64, y: &[f64], out: &mut [f64]| {
-        let (x, v) = (vectors(&y[..half]), vectors(&y[half..]));
-        out[..half].copy_from_slice(&y[half..]);
-        let accelerations = field.accelerations(time, &x, &v);
-        for (out, a) in out[half..].chunks_exact_mut(D).zip(accelerations) {
-            out.copy_from_slice((a + world.gravity).as_slice());
-        }
-    };
-    let mut solution = DormandPrince::new(slope, 0.0, state, ACCURACY);
-    let frames = (0..=world.steps()).step_by(world.frame_steps() as usize);
-    frames
-        .map(|step| {
-            let time = step as f64 * world.spec.time.step;
-            solution.advance_to(time).expect("it can be integrated");
-            let y = solution.state();
-            (time, vectors(&y[..half]), vectors(&y[half..]))
-        })
+/// The frames of a world that is moved as points.
+pub fn point_states<const D: usize>(world: &World<D>) -> Vec<Seen<D>>
+where
+    In<D>: Engine<D>,
+{
+    let run = points(world);
+    let states = run.observations.into_iter();
+    states
+        .map(|it| (it.time, it.positions, it.velocities))
         .collect()
 }
 
@@ -76,15 +50,22 @@ pub fn seen<const D: usize>(world: &World<D>, states: Vec<Seen<D>>) -> Run<'_, D
 }
 
 /// A run as points.
-pub fn points<const D: usize>(world: &World<D>) -> Run<'_, D> {
-    seen(world, point_states(world))
+pub fn points<const D: usize>(world: &World<D>) -> Run<'_, D>
+where
+    In<D>: Engine<D>,
+{
+    let accuracy = Accuracy { relative: ACCURACY };
+    course(world, Dynamics::Points(accuracy)).expect("it can be integrated")
 }
 
 /// A run as points, its states changed: `doctor` gets each frame's number and state.
 pub fn doctored<'w, const D: usize>(
     world: &'w World<D>,
     mut doctor: impl FnMut(usize, &mut Seen<D>),
-) -> Run<'w, D> {
+) -> Run<'w, D>
+where
+    In<D>: Engine<D>,
+{
     let mut states = point_states(world);
     for (k, state) in states.iter_mut().enumerate() {
         doctor(k, state);
@@ -97,25 +78,9 @@ pub fn bodies<const D: usize>(world: &World<D>) -> Run<'_, D>
 where
     In<D>: Engine<D>,
 {
-    let mut simulation = Simulation::new(world.clone()).expect("the world can start");
-    let mut states = Vec::new();
-    loop {
-        let state = simulation.snapshot();
-        if state.step.is_multiple_of(world.frame_steps()) {
-            states.push((
-                state.time,
-                state.positions.to_vec(),
-                state.velocities.to_vec(),
-            ));
-        }
-        if state.step == world.steps() {
-            break;
-        }
-        simulation.step().expect("the world can go on");
-    }
-    assert_eq!(simulation.ledger().agent_contacts().episodes, 0);
-    let step = world.spec.time.step;
-    Run::of_states(world, MovedBy::Bodies { step }, states)
+    let run = course(world, Dynamics::Bodies).expect("it can run");
+    assert_eq!(run.first_contact, None);
+    run
 }
 
 /// What a claim comes to on a run.

@@ -46,4 +46,6 @@ pub struct Solver {
     pub order: usize,
     /// See [`Accuracy::relative`].
     pub relative: f64,
+    /// How many of its steps so far ended because some law jumped.
+    pub jumps: u64,
 }

@@ -2,10 +2,20 @@
 //!
 //! ẋ = v, v̇ = Σ laws + gravity, with the laws of the bodies but nothing to touch: the
 //! equations of the papers themselves, and what bodies that touch nothing converge to.
+//!
+//! The solver chooses its own steps, and ends them where the world's steps end: every state
+//! that observers see is one that it has computed, none is interpolated. Where laws pull so
+//! stiffly that an explicit solver would need many steps for one of the world's, an implicit
+//! one takes them. Where a pair of agents comes within a distance at which some law jumps,
+//! or leaves it, a step ends, within rounding of that time; other corners and jumps, of
+//! obstacles, fields of view, lines of sight and functions of time, are left to the control of
+//! the error.
 
 mod accuracy;
 mod field;
 mod fitness;
+mod integrator;
+mod links;
 
 pub use accuracy::{Accuracy, Solver};
 
@@ -14,23 +24,21 @@ use serde::{Deserialize, Serialize};
 use super::failure::{Failure, LARGEST};
 use super::{Snapshot, Unusable, turn};
 use crate::law::{Flock, State};
-use crate::math::{DormandPrince, Vector, axis};
+use crate::math::{Stuck, Stumble, Vector, axis};
 use crate::shape::Obstacle;
 use crate::world::World;
-use field::Field;
+use field::{Agents, Field, read};
+use integrator::Integrator;
 
 /// Agents as point masses.
 pub struct Points<const D: usize> {
     accuracy: Accuracy,
-    groups: Vec<usize>,
-    masses: Vec<f64>,
-    force_limits: Vec<f64>,
-    gravity: Vector<D>,
+    integrator: Integrator,
+    agents: Agents<D>,
     step_size: f64,
     step: u64,
     positions: Vec<Vector<D>>,
     velocities: Vec<Vector<D>>,
-    headings: Vec<Vector<D>>,
     obstacles: Vec<Obstacle<D>>,
     /// The force of the laws on each agent now.
     pushes: Vec<Vector<D>>,
@@ -40,6 +48,8 @@ pub struct Points<const D: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PointsState<const D: usize> {
     accuracy: Accuracy,
+    integrator: Integrator,
+    largest: [f64; 2],
     step: u64,
     positions: Vec<Vector<D>>,
     velocities: Vec<Vector<D>>,
@@ -61,35 +71,41 @@ impl<const D: usize> Points<D> {
     ) -> Result<Self, Failure> {
         accuracy.check()?;
         fitness::check(world)?;
-        let mut points = Self::around(world, accuracy);
-        turn(&mut points.headings, &points.velocities);
+        let mut points = Self::around(world, flock, accuracy);
+        points.turn();
         points.push(flock)?;
+        let state = points.flat();
+        let field = Field::new(&mut points.agents, flock);
+        points.integrator = Integrator::choose(field, &state, points.step_size);
         Ok(points)
     }
 
-    fn around(world: &World<D>, accuracy: Accuracy) -> Self {
+    fn around(world: &World<D>, flock: &Flock<D>, accuracy: Accuracy) -> Self {
         let agents = &world.agents;
+        let headings = vec![axis(0); agents.len()];
         Self {
             accuracy,
-            groups: agents.group.clone(),
-            masses: agents.mass.clone(),
-            force_limits: agents.force_limit.clone(),
-            gravity: world.gravity,
+            integrator: Integrator::default(),
+            agents: Agents::new(world, flock, &headings),
             step_size: world.spec.time.step,
             step: 0,
             positions: agents.positions.clone(),
             velocities: agents.velocities.clone(),
-            headings: vec![axis(0); agents.len()],
             obstacles: world.obstacles.clone(),
             pushes: vec![Vector::zeros(); agents.len()],
         }
     }
 
-    /// The points of a world as they were when [`Points::capture`] gave `state`.
+    /// The points of a world as they were when [`Points::capture`] gave `state`, under the
+    /// same flock.
     ///
     /// # Errors
     /// Where the state is not one of this world.
-    pub fn restore(world: &World<D>, state: PointsState<D>) -> Result<Self, Unusable> {
+    pub fn restore(
+        world: &World<D>,
+        flock: &Flock<D>,
+        state: PointsState<D>,
+    ) -> Result<Self, Unusable> {
         let agents = world.agents.len();
         let lists = [
             &state.positions,
@@ -97,17 +113,19 @@ impl<const D: usize> Points<D> {
             &state.headings,
             &state.pushes,
         ];
-        if lists.map(Vec::len) != [agents; 4] {
+        if lists.map(Vec::len) != [agents; 4] || !state.integrator.fits(agents * D) {
             return Err(Unusable("it has another number of agents".to_owned()));
         }
         let mut points = Self {
+            integrator: state.integrator,
             step: state.step,
             positions: state.positions,
             velocities: state.velocities,
-            headings: state.headings,
             pushes: state.pushes,
-            ..Self::around(world, state.accuracy)
+            ..Self::around(world, flock, state.accuracy)
         };
+        points.agents.headings = state.headings;
+        points.agents.largest = state.largest;
         points.move_obstacles();
         Ok(points)
     }
@@ -117,25 +135,24 @@ impl<const D: usize> Points<D> {
         // Every field is named, so that a new one cannot be forgotten here.
         let Self {
             accuracy,
+            integrator,
+            agents,
             step,
             positions,
             velocities,
-            headings,
             pushes,
             // Part of the world, and of the time.
-            groups: _,
-            masses: _,
-            force_limits: _,
-            gravity: _,
             step_size: _,
             obstacles: _,
         } = self;
         PointsState {
             accuracy: *accuracy,
+            integrator: integrator.clone(),
+            largest: agents.largest,
             step: *step,
             positions: positions.clone(),
             velocities: velocities.clone(),
-            headings: headings.clone(),
+            headings: agents.headings.clone(),
             pushes: pushes.clone(),
         }
     }
@@ -143,26 +160,33 @@ impl<const D: usize> Points<D> {
     /// Goes on to the end of the world's next step. One that fails leaves the state before it.
     ///
     /// # Errors
-    /// Where the state or the laws are no longer finite, or no step is short enough.
+    /// Where the state or the laws are no longer finite, or the integration gets stuck.
     pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
-        let begin = self.time();
-        let end = (self.step + 1) as f64 * self.step_size;
-        let mut field = Field::new(self, flock);
-        let state = field.flat(&self.positions, &self.velocities);
-        let slope = |time: f64, y: &[f64], out: &mut [f64]| field.slope(time, y, out);
-        let mut solution = DormandPrince::new(slope, begin, state, self.accuracy.relative);
-        let reached = solution.advance_to(end);
-        let state = solution.state().to_vec();
-        reached.map_err(|stuck| Failure::Stuck { time: stuck.time })?;
-        let (positions, velocities) = field::unflat::<D>(&state);
+        let times = [self.time(), (self.step + 1) as f64 * self.step_size];
+        let mut state = self.flat();
+        self.agents.measure(&self.positions, &self.velocities);
+        let field = Field::new(&mut self.agents, flock);
+        let relative = self.accuracy.relative;
+        let done = self.integrator.advance(field, &mut state, times, relative);
+        done.map_err(|Stuck { time, over }| match over {
+            Stumble::Error => Failure::Stuck { time },
+            Stumble::Jumps => Failure::Jumps { time },
+        })?;
+        let half = state.len() / 2;
+        let (mut positions, mut velocities) = (self.positions.clone(), self.velocities.clone());
+        read(&state[..half], &mut positions);
+        read(&state[half..], &mut velocities);
         let sound = |i: usize| positions[i].norm() < LARGEST && velocities[i].norm() < LARGEST;
         if let Some(agent) = (0..positions.len()).find(|i| !sound(*i)) {
-            return Err(Failure::State { agent, time: end });
+            return Err(Failure::State {
+                agent,
+                time: times[1],
+            });
         }
         self.positions = positions;
         self.velocities = velocities;
         self.step += 1;
-        turn(&mut self.headings, &self.velocities);
+        self.turn();
         self.move_obstacles();
         self.push(flock)
     }
@@ -174,7 +198,7 @@ impl<const D: usize> Points<D> {
             time: self.time(),
             positions: &self.positions,
             velocities: &self.velocities,
-            headings: &self.headings,
+            headings: &self.agents.headings,
             rotations: None,
             spins: None,
             obstacles: &self.obstacles,
@@ -187,9 +211,9 @@ impl<const D: usize> Points<D> {
             time: self.time(),
             positions: &self.positions,
             velocities: &self.velocities,
-            headings: &self.headings,
-            groups: &self.groups,
-            masses: &self.masses,
+            headings: &self.agents.headings,
+            groups: &self.agents.groups,
+            masses: &self.agents.masses,
             rotations: &[],
             obstacles: &self.obstacles,
         }
@@ -202,15 +226,20 @@ impl<const D: usize> Points<D> {
 
     /// What solves the equations of motion.
     pub fn solver(&self) -> Solver {
-        Solver {
-            method: "Dormand-Prince 5(4)",
-            order: 5,
-            relative: self.accuracy.relative,
-        }
+        self.integrator.solver(self.accuracy.relative)
     }
 
     fn time(&self) -> f64 {
         self.step as f64 * self.step_size
+    }
+
+    fn flat(&self) -> Vec<f64> {
+        let vectors = self.positions.iter().chain(&self.velocities);
+        vectors.flat_map(|v| v.as_slice().iter().copied()).collect()
+    }
+
+    fn turn(&mut self) {
+        turn(&mut self.agents.headings, &self.velocities);
     }
 
     fn move_obstacles(&mut self) {
@@ -222,18 +251,17 @@ impl<const D: usize> Points<D> {
 
     /// Asks the laws for their forces now.
     fn push(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
-        let mut accelerations = vec![Vector::zeros(); self.positions.len()];
-        flock.accelerations(&self.state(), &mut accelerations);
-        for (i, acceleration) in accelerations.iter().enumerate() {
-            if !acceleration.norm_squared().is_finite() {
+        let mut wanted = vec![Vector::zeros(); self.positions.len()];
+        flock.accelerations(&self.state(), &mut wanted);
+        for (i, wanted) in wanted.iter().enumerate() {
+            if !wanted.norm_squared().is_finite() {
                 return Err(Failure::Acceleration {
                     agent: i,
                     time: self.time(),
-                    value: format!("{:?}", acceleration.as_slice()),
+                    value: format!("{:?}", wanted.as_slice()),
                 });
             }
-            let force = acceleration * self.masses[i];
-            self.pushes[i] = crate::math::shortened(force, self.force_limits[i]);
+            self.pushes[i] = self.agents.force(i, wanted);
         }
         Ok(())
     }

@@ -229,6 +229,14 @@ impl<const D: usize> Law<D> for Alignment<D> {
         self.reach()
     }
 
+    fn jump(&self) -> Option<f64> {
+        // However little the only one weighs, it weighs 1 once divided by itself.
+        let alone = self.normalisation == NormalisationSpec::MotschTadmor && !self.self_influence;
+        let reach = self.reach();
+        let ends = reach.is_finite() && (self.range < self.kernel.reach() || alone);
+        ends.then_some(reach)
+    }
+
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         let body = self.sight.as_ref().and_then(LineOfSight::largest_body);
         let mask = self.masking.as_ref().map(Masking::least_width);
