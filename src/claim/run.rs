@@ -128,30 +128,6 @@ impl<'w, const D: usize> Run<'w, D> {
         &self.observations[self.observations.len() - 1]
     }
 
-    /// Where one agent is from another at any time up to the last observation: a cubic between
-    /// the two around it, by their positions and velocities.
-    pub fn offset_at(&self, time: f64, [i, j]: [usize; 2]) -> Option<Vector<D>> {
-        let after = self.observations.partition_point(|seen| seen.time < time);
-        let (b, a) = (
-            self.observations.get(after)?,
-            &self.observations[after.saturating_sub(1)],
-        );
-        let span = b.time - a.time;
-        let offset = |seen: &Observation<D>| seen.positions[i] - seen.positions[j];
-        if span <= 0.0 {
-            return Some(offset(b));
-        }
-        let rate = |seen: &Observation<D>| (seen.velocities[i] - seen.velocities[j]) * span;
-        let s = (time - a.time) / span;
-        let (s2, s3) = (s * s, s * s * s);
-        Some(
-            offset(a) * (2.0 * s3 - 3.0 * s2 + 1.0)
-                + rate(a) * (s3 - 2.0 * s2 + s)
-                + offset(b) * (3.0 * s2 - 2.0 * s3)
-                + rate(b) * (s3 - s2),
-        )
-    }
-
     /// Runs of the variations that the claim of this name asked for.
     pub fn companions(&self, claim: &str) -> &[(World<D>, Vec<Observation<D>>)] {
         self.companions.get(claim).map_or(&[], Vec::as_slice)

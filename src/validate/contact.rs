@@ -7,11 +7,14 @@ use crate::validate::report::{
     ContactOutcome, ContactReport, Departure, ExclusionReport, FirstContact,
 };
 
-/// What a run as bodies says of contacts, next to one as points where there is one.
+/// What a run as bodies says of contacts, next to one as points where there is one;
+/// `points_apart` is how near the points come that belong to the first two bodies to touch,
+/// about then.
 pub fn contact_report<const D: usize>(
     claims: &[Box<dyn Claim<D>>],
     bodies: &Run<'_, D>,
     points: Option<&Run<'_, D>>,
+    points_apart: Option<f64>,
 ) -> ContactReport {
     let radius = 0.5 * largest_sum(&bodies.world.agents.radius);
     let touched = bodies.contacts.iter().any(|it| it.with == Partner::Agent);
@@ -37,7 +40,7 @@ pub fn contact_report<const D: usize>(
         exclusions: exclusions.collect(),
         points_radius: points.and_then(half_least),
         bodies_radius: half_least(bodies),
-        first: bodies.contacts.first().map(|it| first(it, bodies, points)),
+        first: (bodies.contacts.first()).map(|it| first(it, bodies, points_apart)),
         departure: points.map(|points| departure(bodies, points)),
     }
 }
@@ -61,22 +64,12 @@ fn largest_sum(radii: &[f64]) -> f64 {
 fn first<const D: usize>(
     contact: &Contact,
     bodies: &Run<'_, D>,
-    points: Option<&Run<'_, D>>,
+    points_apart: Option<f64>,
 ) -> FirstContact {
     let (i, j) = (contact.agent, contact.other);
     let speed = contact.approach_speed;
     let between_agents = contact.with == Partner::Agent;
     let radii = &bodies.world.agents.radius;
-    let points_apart = points.filter(|_| between_agents).and_then(|points| {
-        // The engine may feel a contact up to a step before the surfaces meet.
-        let step = bodies.world.spec.time.step;
-        let times = [0.0, 0.5, 1.0, 1.5, 2.0].map(|share| contact.begin + share * step);
-        let apart = times.iter().filter_map(|time| {
-            let offset = points.offset_at(*time, [i, j])?;
-            Some(offset.norm())
-        });
-        apart.min_by(f64::total_cmp)
-    });
     let time = contact.begin;
     let cause = if between_agents {
         let together = radii[i] + radii[j];

@@ -11,6 +11,34 @@ use crate::simulation::{Pause, Simulation};
 use crate::trace::record::Record;
 use crate::world::World;
 
+/// How near two agents come to each other as points in the two steps from a time on: the engine
+/// may feel a contact up to a step before the surfaces meet.
+///
+/// # Errors
+/// Where the run cannot begin or go on.
+pub fn least_distance<const D: usize>(
+    world: &World<D>,
+    accuracy: Accuracy,
+    [i, j]: [usize; 2],
+    from: f64,
+) -> Result<f64, Failure>
+where
+    In<D>: Engine<D>,
+{
+    let dynamics = Dynamics::Points(accuracy);
+    let mut simulation = Simulation::with_dynamics(world.clone(), Vec::new(), dynamics)?;
+    let mut least = f64::INFINITY;
+    let step = world.spec.time.step;
+    while simulation.snapshot().time < from + 2.5 * step {
+        let state = simulation.snapshot();
+        if state.time > from - 0.5 * step {
+            least = least.min((state.positions[i] - state.positions[j]).norm());
+        }
+        simulation.step()?;
+    }
+    Ok(least)
+}
+
 /// Runs a world to its end and looks at it whenever it records a frame. Of bodies, what is
 /// seen from the first contact on is kept apart.
 ///

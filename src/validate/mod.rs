@@ -7,6 +7,7 @@ pub mod form;
 pub mod report;
 
 pub use course::course;
+use course::least_distance;
 pub use expectation::problems;
 
 use crate::claim::{Claim, Curve, Finding, Run, Verdict, claims};
@@ -58,6 +59,13 @@ where
             findings,
         })
     });
+    let touching = bodies.as_ref().and_then(|bodies| bodies.contacts.first());
+    let touching = touching.filter(|contact| contact.with == Partner::Agent);
+    let apart = touching.zip(wanted.points).map(|(contact, accuracy)| {
+        let pair = [contact.agent, contact.other];
+        least_distance(world, accuracy, pair, contact.begin)
+    });
+    let apart = apart.transpose()?;
     Ok(WorldReport {
         world: world.name.clone(),
         description: world.spec.description.clone(),
@@ -67,7 +75,7 @@ where
         claims: reports.collect(),
         contact: bodies
             .as_ref()
-            .map(|bodies| contact_report(&claims, bodies, points.as_ref())),
+            .map(|bodies| contact_report(&claims, bodies, points.as_ref(), apart)),
         runs: runs().map(run_report).collect(),
     })
 }
