@@ -48,6 +48,7 @@
 //! - [`claim`]: the papers' theorems, and what they come to on a run
 //! - [`simulation`]: the loop
 //! - [`checkpoint`]: a simulation in a file, to go on with later
+//! - [`validate`]: worlds run as points and as bodies, and their claims judged
 //! - [`schema`]: JSON Schemas of the file formats
 
 pub mod checkpoint;
@@ -63,4 +64,5 @@ pub mod sense;
 pub mod shape;
 pub mod simulation;
 pub mod trace;
+pub mod validate;
 pub mod world;

@@ -5,6 +5,7 @@ use schemars::{JsonSchema, schema_for};
 use serde_json::Value;
 
 use crate::trace::record::{Record, Summary};
+use crate::validate::report::Report;
 use crate::world::spec::WorldSpec;
 
 /// Schema of a world file.
@@ -20,6 +21,11 @@ pub fn trace() -> Value {
 /// Schema of a run's summary.
 pub fn summary() -> Value {
     schema::<Summary>()
+}
+
+/// Schema of a validation report.
+pub fn validation() -> Value {
+    schema::<Report>()
 }
 
 fn schema<T: JsonSchema>() -> Value {

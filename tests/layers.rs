@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 14] = [
+const LAYERS: [&str; 15] = [
     "math",
     "shape",
     "world",
@@ -17,6 +17,7 @@ const LAYERS: [&str; 14] = [
     "claim",
     "simulation",
     "checkpoint",
+    "validate",
     "schema",
 ];
 

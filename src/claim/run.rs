@@ -1,6 +1,7 @@
 //! A run, as claims see it.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use crate::law::Field;
 use crate::math::Vector;
@@ -16,6 +17,8 @@ pub struct Run<'w, const D: usize> {
     pub world: &'w World<D>,
     /// What moved the agents.
     pub moved_by: MovedBy,
+    /// The same in words: the solver and its accuracy, or the step.
+    pub method: String,
     /// What was seen, from time 0 on: of bodies before the first contact, since after it no
     /// theorem on points speaks of them any more. Never empty.
     pub observations: Vec<Observation<D>>,
@@ -68,6 +71,15 @@ impl MovedBy {
     }
 }
 
+impl fmt::Display for MovedBy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Points { relative } => write!(f, "to {relative:e} in each step"),
+            Self::Bodies { step } => write!(f, "in steps of {step}"),
+        }
+    }
+}
+
 impl<'w, const D: usize> Run<'w, D> {
     /// A run of which these states were seen: times, from 0 on and increasing, positions and
     /// velocities. Without contacts.
@@ -82,6 +94,7 @@ impl<'w, const D: usize> Run<'w, D> {
         let mut run = Self {
             world,
             moved_by,
+            method: moved_by.to_string(),
             observations,
             after_contact: Vec::new(),
             first_contact: None,

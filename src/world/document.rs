@@ -142,8 +142,8 @@ mod tests {
         );
         assert_eq!(
             bad("tine.end=1"),
-            "w.json: --set tine.end=1: tine: unknown field; allowed: agents, description, \
-             dimension, laws, notes, obstacles, physics, record, seed, time; did you mean `time`?"
+            "w.json: --set tine.end=1: tine: unknown field; allowed: agents, claims, \
+             description, dimension, laws, notes, obstacles, physics, record, seed, time; did you mean `time`?"
         );
         assert_eq!(
             bad("agents[1].radius=1"),
