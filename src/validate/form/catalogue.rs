@@ -7,7 +7,9 @@ use crate::claim::About;
 pub fn list(claims: &[&About]) -> String {
     let mut out = String::new();
     let mut last = None;
-    let longest = claims.iter().map(|about| paper(about.name).1.chars().count());
+    let longest = claims
+        .iter()
+        .map(|about| paper(about.name).1.chars().count());
     let width = longest.max().unwrap_or(0);
     for about in claims {
         let (folder, name) = paper(about.name);

@@ -7,7 +7,11 @@ use super::words::WIDTH;
 pub(super) fn aligned(rows: &[Vec<String>]) -> Vec<String> {
     let length = |cell: &String| cell.chars().count();
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let widest = |column: usize| rows.iter().filter_map(|row| row.get(column).map(length)).max();
+    let widest = |column: usize| {
+        rows.iter()
+            .filter_map(|row| row.get(column).map(length))
+            .max()
+    };
     let mut widths: Vec<usize> = (0..columns).map(|k| widest(k).unwrap_or(0)).collect();
     let rest: usize = widths.iter().skip(1).map(|width| width + 2).sum();
     if let Some(first) = widths.first_mut() {

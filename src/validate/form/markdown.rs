@@ -30,7 +30,14 @@ pub fn markdown(report: &Report) -> String {
 
 fn overview(report: &Report) -> String {
     let mut out = "\n## Claims\n\n".to_owned();
-    out += &row(["claim", "source", "reading", "as points", "as bodies", "violated in"]);
+    out += &row([
+        "claim",
+        "source",
+        "reading",
+        "as points",
+        "as bodies",
+        "violated in",
+    ]);
     out += &rule(6);
     for claim in overview::claims(report) {
         out += &overview_row(&claim);
@@ -80,7 +87,10 @@ fn of_world(world: &WorldReport) -> String {
     for run in &world.runs {
         let method = escape(&run.method);
         let states = plural(run.observations, "state");
-        let closest = run.closest.as_ref().map(|it| format!("; closest {}", closest(it)));
+        let closest = run
+            .closest
+            .as_ref()
+            .map(|it| format!("; closest {}", closest(it)));
         out += &format!(
             "- **{}** {method}; {states}; {}{}\n",
             dynamics(run.dynamics),
@@ -130,7 +140,11 @@ fn cell(run: &JudgedRun) -> String {
         true => format!("**{word}**"),
         false => word.to_owned(),
     };
-    let standing = if run.as_expected { String::new() } else { standing(run) };
+    let standing = if run.as_expected {
+        String::new()
+    } else {
+        standing(run)
+    };
     format!("{word}{}{standing}", margin.unwrap_or_default())
 }
 
@@ -146,7 +160,12 @@ fn rule(columns: usize) -> String {
 /// Text in which nothing is taken for a mark.
 fn escape(text: &str) -> String {
     let mut out = String::new();
-    for c in text.split_whitespace().collect::<Vec<_>>().join(" ").chars() {
+    for c in text
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+        .chars()
+    {
         match c {
             '&' => out += "&amp;",
             '<' => out += "&lt;",

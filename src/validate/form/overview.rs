@@ -91,13 +91,7 @@ fn add<'a>(row: &mut ClaimRow<'a>, at: (usize, usize), world: &'a str, claim: &'
 
 /// What [`contact_rows`] are headed by, behind the world.
 pub(super) const CONTACT_COLUMNS: [&str; 7] = [
-    "radius",
-    "theory",
-    "points",
-    "bodies",
-    "contact",
-    "before",
-    "at end",
+    "radius", "theory", "points", "bodies", "contact", "before", "at end",
 ];
 
 /// What the columns of [`contact_rows`] mean.

@@ -75,7 +75,11 @@ fn claims(claims: &[ClaimReport]) -> String {
     };
     let mut rows = Vec::new();
     if !claims.is_empty() {
-        rows.push(["  claim", "reading", "points", "bodies"].map(str::to_owned).to_vec());
+        rows.push(
+            ["  claim", "reading", "points", "bodies"]
+                .map(str::to_owned)
+                .to_vec(),
+        );
     }
     rows.extend(claims.iter().map(row));
     let mut lines = aligned(&rows).into_iter();
@@ -122,7 +126,11 @@ fn bodies_against_points(contact: &ContactReport) -> String {
 }
 
 fn overview(report: &Report) -> String {
-    let mut out = format!("{}\n{}\n", plural(report.worlds.len(), "world"), "─".repeat(WIDTH));
+    let mut out = format!(
+        "{}\n{}\n",
+        plural(report.worlds.len(), "world"),
+        "─".repeat(WIDTH)
+    );
     let rows = overview::claims(report);
     let heading = |name: &str| format!("{name:<6} holds viol. unmet undec.");
     let mut cells = vec![vec![
@@ -139,7 +147,10 @@ fn overview(report: &Report) -> String {
         out += &paper_heading(row.claim, &mut last);
         out += &line;
         if !row.violated.is_empty() {
-            let names = row.violated.iter().map(|it| format!("{}{}", it.world, it.suffix()));
+            let names = row
+                .violated
+                .iter()
+                .map(|it| format!("{}{}", it.world, it.suffix()));
             let names: Vec<_> = names.collect();
             out += &wrap("        violated in ", 10, &names.join(", "));
         }
