@@ -180,20 +180,33 @@ fn bounds<'a>(plot: &'a Plot<'a>, axes: &Axes) -> Vec<(&'a Line<'a>, Parts)> {
     lines.sort_by_key(|line| std::cmp::Reverse(line.bounds().count()));
     for line in lines.into_iter().filter(|it| it.bounds().next().is_some()) {
         let same = |(drawn, _): &(&Line, Parts)| {
-            let (mut one, mut other) = (drawn.bounds(), line.bounds());
-            drawn.side == line.side
-                && other.all(|(time, value)| {
-                    let (seen, bound) = one.next().unwrap_or((f64::NAN, f64::NAN));
-                    let near = axes.value.at(bound).zip(axes.value.at(value));
-                    (time - seen).abs() <= 1e-9 * time.abs()
-                        && near.is_some_and(|(a, b)| (a - b).abs() <= SAME)
-                })
+            let drawn_bounds: Vec<_> = drawn.bounds().collect();
+            let near = |(time, value)| {
+                let drawn = axes.value.at(between(&drawn_bounds, time)?)?;
+                Some((drawn - axes.value.at(value)?).abs() <= SAME)
+            };
+            drawn.side == line.side && line.bounds().all(|it| near(it) == Some(true))
         };
         if !bounds.iter().any(same) {
             bounds.push((line, axes.parts(line.times, line.bounds)));
         }
     }
     bounds
+}
+
+/// The value at a time on the straight lines between some points; nothing outside of them.
+fn between(points: &[(f64, f64)], time: f64) -> Option<f64> {
+    let right = points.partition_point(|point| point.0 < time);
+    let (t1, after) = *points.get(right)?;
+    let (t0, before) = match right {
+        0 if t1 > time => return None,
+        0 => (t1, after),
+        _ => points[right - 1],
+    };
+    match t1 > t0 {
+        true => Some(before + (after - before) * (time - t0) / (t1 - t0)),
+        false => Some(after),
+    }
 }
 
 /// The side of a bound where the quantity must not be.

@@ -132,16 +132,15 @@ fn overview(report: &Report) -> String {
         "─".repeat(WIDTH)
     );
     let rows = overview::claims(report);
-    let heading = |name: &str| format!("{name:<6} holds viol. unmet undec.");
-    let mut cells = vec![vec![
-        "  claim".to_owned(),
-        "reading".to_owned(),
-        heading("points"),
-        heading("bodies"),
-    ]];
+    let heading = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
+    let counts = "holds viol. unmet undec.";
+    let mut cells = vec![
+        heading(["", "", "points", "bodies"]),
+        heading(["  claim", "reading", counts, counts]),
+    ];
     cells.extend(rows.iter().map(overview_row));
     let mut lines = aligned(&cells).into_iter();
-    out += &lines.next().unwrap_or_default();
+    out.extend(lines.by_ref().take(2));
     let mut last = None;
     for (row, line) in rows.iter().zip(lines) {
         out += &paper_heading(row.claim, &mut last);
@@ -178,7 +177,7 @@ fn overview_row(row: &ClaimRow) -> Vec<String> {
     let tally = |tally: &Tally| {
         let [holds, violated] = [tally.holds, tally.violated].map(count);
         let [unmet, undecided] = [tally.unmet, tally.undecided].map(count);
-        format!("       {holds:>5} {violated:>5} {unmet:>5} {undecided:>6}")
+        format!("{holds:>5} {violated:>5} {unmet:>5} {undecided:>6}")
     };
     let mut cells = vec![
         format!("    {}", paper(row.claim).1),
