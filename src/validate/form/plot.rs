@@ -15,7 +15,7 @@ use crate::world::spec::DynamicsName;
 const SIZE: [f64; 2] = [640.0, 260.0];
 const LEFT: f64 = 70.0;
 const RIGHT: f64 = 624.0;
-const TOP: f64 = 34.0;
+const TOP: f64 = 42.0;
 const BOTTOM: f64 = 222.0;
 
 /// Bounds that are no further apart on paper are drawn once.
@@ -149,15 +149,15 @@ pub(super) fn svg(plot: &Plot) -> Option<String> {
         };
         out += &polylines(&class, parts);
     }
+    for line in &plot.lines {
+        let parts = axes.parts(line.times, &line.values);
+        out += &polylines(&format!("line {}", dynamics(line.dynamics)), &parts);
+    }
     if let Some((level, what)) = plot.level
         && let Some(y) = axes.value.at(level)
     {
         let text = format!("{what} {}", number(level));
         out += &horizontal(y, &text);
-    }
-    for line in &plot.lines {
-        let parts = axes.parts(line.times, &line.values);
-        out += &polylines(&format!("line {}", dynamics(line.dynamics)), &parts);
     }
     for line in &plot.lines {
         out += &closest(line, &axes).unwrap_or_default();
@@ -281,13 +281,13 @@ fn horizontal(y: f64, label: &str) -> String {
     segment("level", (LEFT, y), (RIGHT, y)) + &text("end level", RIGHT - 4.0, place, label)
 }
 
-/// A moment, its label on the side of the line that has room.
+/// A moment, its label above the plot, on the side of the line that has room.
 fn vertical(x: f64, label: &str) -> String {
-    let (class, place) = match x < 0.5 * (LEFT + RIGHT) {
-        true => ("moment", x + 5.0),
-        false => ("end moment", x - 5.0),
+    let class = match x < 0.5 * (LEFT + RIGHT) {
+        true => "moment",
+        false => "end moment",
     };
-    segment("moment", (x, TOP), (x, BOTTOM)) + &text(class, place, TOP + 12.0, label)
+    segment("moment", (x, TOP), (x, BOTTOM)) + &text(class, x, TOP - 6.0, label)
 }
 
 /// A ring about the point where a line comes closest to its bound.
@@ -305,8 +305,8 @@ fn closest(line: &Line, axes: &Axes) -> Option<String> {
 
 /// What the lines are, above the plot.
 fn legend(plot: &Plot, bounds: &[(&Line, Parts)]) -> String {
-    const SAMPLE: f64 = 24.0;
-    let (mut x, y) = (LEFT, 16.0);
+    const SAMPLE: f64 = 20.0;
+    let (mut x, y) = (LEFT, 12.0);
     let mut out = String::new();
     let mut entry = |class: &str, label: &str| {
         out += &match class {
@@ -316,9 +316,9 @@ fn legend(plot: &Plot, bounds: &[(&Line, Parts)]) -> String {
             ),
             _ => segment(class, (x, y), (x + SAMPLE, y)),
         };
-        out += &text("label", x + SAMPLE + 6.0, y + 4.0, label);
+        out += &text("label", x + SAMPLE + 5.0, y + 4.0, label);
         // The width of letters is not known here; 6.5 pixels are enough for most.
-        x += SAMPLE + 24.0 + 6.5 * label.chars().count() as f64;
+        x += SAMPLE + 20.0 + 6.5 * label.chars().count() as f64;
     };
     for line in &plot.lines {
         let name = dynamics(line.dynamics);
