@@ -58,7 +58,9 @@ impl Scale {
 
     fn logarithmic(least: f64, high: f64, pixels: [f64; 2]) -> Self {
         let low = least.max(high * DEEPEST);
-        let room = 10_f64.powf(0.1 + 0.04 * (high / low).log10());
+        let decades = (high / low).log10();
+        // At least one decade has a place, so that there are ticks.
+        let room = 10_f64.powf((0.1 + 0.04 * decades).max(0.5 - 0.5 * decades));
         Self {
             logarithmic: true,
             ..Self::tight(low / room, high * room, pixels)
