@@ -39,6 +39,7 @@ fn checked_in_schemas_are_current() {
         ("world", schema::world()),
         ("trace", schema::trace()),
         ("summary", schema::summary()),
+        ("validation", schema::validation()),
     ] {
         let path = root().join("schema").join(format!("{name}.json"));
         if env::var_os("VOLARY_BLESS").is_some() {

@@ -3,7 +3,8 @@
 use std::io::{ErrorKind, IsTerminal};
 use std::path::Path;
 
-use volary::world::{AnyWorld, Document, Override, shipped};
+use volary::validate;
+use volary::world::{AnyWorld, Document, Override, Report, shipped};
 
 use super::Refusal;
 
@@ -11,9 +12,17 @@ use super::Refusal;
 pub(super) fn load(world: &str, overrides: Vec<Override>) -> Result<AnyWorld, Refusal> {
     let (name, document) = find(world)?;
     let document = document.with(overrides);
-    document
-        .world(name)
-        .map_err(|report| Refusal::BadInput(report.render(in_color())))
+    let refuse = |report: Report| Refusal::BadInput(report.render(in_color()));
+    let world = document.world(name).map_err(refuse)?;
+    // Worlds know no claims, so what is wrong with those they name shows only here.
+    let problems = match &world {
+        AnyWorld::Plane(world) => validate::problems(&world.spec),
+        AnyWorld::Space(world) => validate::problems(&world.spec),
+    };
+    match problems.is_empty() {
+        true => Ok(world),
+        false => Err(refuse(document.report(problems))),
+    }
 }
 
 /// Overrides as the command line has them, `path=value`.

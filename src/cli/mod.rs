@@ -3,6 +3,7 @@
 //! Exit codes: 0 done, 1 failed or stopped, 2 bad input.
 
 mod check;
+mod claims;
 mod drive;
 mod files;
 mod load;
@@ -61,6 +62,8 @@ enum Command {
     Check(check::CheckArguments),
     /// Work out the reduced model of fast flocking
     Reduce(reduce::ReduceArguments),
+    /// List the papers' claims, or print some in full
+    Claims(claims::ClaimsArguments),
     /// List the shipped worlds, or print one
     Worlds(worlds::WorldsArguments),
     /// Print the JSON Schema of a file format
@@ -94,6 +97,7 @@ pub fn main() -> ExitCode {
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Reduce(arguments) => reduce::reduce(&arguments),
+        Command::Claims(arguments) => claims::claims(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
     };

@@ -21,6 +21,8 @@ enum Format {
     Trace,
     /// Summary files
     Summary,
+    /// Reports of `volary validate`
+    Validation,
 }
 
 /// Prints a schema.
@@ -29,6 +31,7 @@ pub(super) fn schema(arguments: &SchemaArguments) -> Result<(), Refusal> {
         Format::World => volary::schema::world(),
         Format::Trace => volary::schema::trace(),
         Format::Summary => volary::schema::summary(),
+        Format::Validation => volary::schema::validation(),
     };
     print(&volary::schema::text(&schema))
 }

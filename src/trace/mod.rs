@@ -64,6 +64,6 @@ pub use file::TraceFile;
 pub use format::{Compression, Format, Layout};
 pub use reader::TraceReader;
 pub use record::Record;
-pub(crate) use summary::write_text;
 pub use summary::{check_summary, write_summary};
+pub(crate) use summary::{write_json, write_text};
 pub use writer::{TracePosition, TraceWriter};

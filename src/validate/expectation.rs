@@ -1,8 +1,8 @@
 //! What worlds expect of claims.
 
 use crate::claim::{Verdict, abouts};
-use crate::world::Problem;
 use crate::world::spec::{ClaimSpec, DynamicsName, WorldSpec};
+use crate::world::{Problem, nearest_path};
 
 /// What is wrong with what a world expects: claims that do not exist, or are to come to two
 /// different verdicts.
@@ -10,15 +10,11 @@ pub fn problems(world: &WorldSpec) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (index, expected) in world.claims.iter().enumerate() {
         let path = |field: &str| format!("claims[{index}].{field}");
-        let names = || abouts().into_iter().map(|about| about.name);
-        if !names().any(|name| name == expected.claim) {
+        let names: Vec<_> = abouts().into_iter().map(|about| about.name).collect();
+        if !names.contains(&expected.claim.as_str()) {
             let problem = Problem::new(path("claim"), "is not the name of a claim");
-            let near = names()
-                .map(|name| (strsim::jaro_winkler(name, &expected.claim), name))
-                .max_by(|a, b| a.0.total_cmp(&b.0))
-                .filter(|(likeness, _)| *likeness > 0.8);
-            let hint = match near {
-                Some((_, name)) => format!("did you mean {name}?"),
+            let hint = match nearest_path(&expected.claim, &names) {
+                Some(name) => format!("did you mean {name}?"),
                 None => "`volary claims` lists them".to_owned(),
             };
             problems.push(problem.hint(hint));

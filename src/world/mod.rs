@@ -34,6 +34,7 @@ pub use problem::Problem;
 pub use report::Report;
 pub use resolve::{AnyWorld, World};
 pub use set::{Override, OverrideError};
+pub use words::nearest_path;
 
 use crate::math::Vector;
 

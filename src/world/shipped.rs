@@ -24,11 +24,8 @@ pub fn get(name: &str) -> Option<&'static str> {
 pub fn nearest(name: &str) -> Option<String> {
     let name = name.trim_start_matches("worlds/").trim_end_matches(".json");
     let names = names();
-    let all = || names.iter().map(String::as_str);
-    words::nearest(name, all())
-        .or_else(|| all().find(|full| !name.is_empty() && full.contains(name)))
-        .or_else(|| all().find(|full| words::nearest(name, full.rsplit('/').next()).is_some()))
-        .map(str::to_owned)
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    words::nearest_path(name, &names).map(str::to_owned)
 }
 
 fn collect(folder: &Dir, names: &mut Vec<String>) {

@@ -15,6 +15,15 @@ pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(.., name)| name)
 }
 
+/// The name of the form `folder/name` that is nearest to one that does not exist, if any is near
+/// enough, or has the given name as a part of it.
+pub fn nearest_path<'a>(word: &str, names: &[&'a str]) -> Option<&'a str> {
+    let all = || names.iter().copied();
+    nearest(word, all())
+        .or_else(|| all().find(|full| !word.is_empty() && full.contains(word)))
+        .or_else(|| all().find(|full| nearest(word, full.rsplit('/').next()).is_some()))
+}
+
 /// The hint that names what was meant, if anything is near enough.
 pub fn did_you_mean<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<String> {
     nearest(word, names).map(|name| format!("did you mean `{name}`?"))

@@ -1,0 +1,57 @@
+//! Reports in files.
+
+use std::path::Path;
+
+use super::{html, markdown};
+use crate::trace::{TraceError, file, write_json, write_text};
+use crate::validate::report::Report;
+
+/// The form that a file's name asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Json,
+    Markdown,
+    Html,
+}
+
+impl Form {
+    fn of(path: &Path) -> Result<Self, TraceError> {
+        let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match ending.to_str() {
+            Some("json") => Ok(Self::Json),
+            Some("md") => Ok(Self::Markdown),
+            Some("html") => Ok(Self::Html),
+            _ => Err(TraceError::BadPath {
+                name: path.display().to_string(),
+                problem: "the name of a report ends in .json, .md or .html".to_owned(),
+            }),
+        }
+    }
+}
+
+/// Finds out whether a report could be written to this file now, without changing what is
+/// there: better before the runs than after them.
+///
+/// # Errors
+///
+/// As [`write`].
+pub fn check(path: &Path, overwrite: bool) -> Result<(), TraceError> {
+    Form::of(path)?;
+    file::check_whole(path, overwrite)
+}
+
+/// Writes a report to a file of its own, in the form that its name asks for: `.json`, `.md` or
+/// `.html`. The file appears whole or not at all.
+///
+/// # Errors
+///
+/// [`TraceError::BadPath`] for another ending; [`TraceError::Exists`] for a file that is there
+/// already, without `overwrite`; [`TraceError::NotFinite`] where JSON cannot hold a number of
+/// the report; and what the system says.
+pub fn write(path: &Path, report: &Report, overwrite: bool) -> Result<(), TraceError> {
+    match Form::of(path)? {
+        Form::Json => write_json(path, "the report", report, overwrite),
+        Form::Markdown => write_text(path, &markdown(report), overwrite),
+        Form::Html => write_text(path, &html(report), overwrite),
+    }
+}
