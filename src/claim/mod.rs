@@ -11,6 +11,7 @@
 mod about;
 mod djokam_rathinam;
 mod finding;
+mod integral;
 mod judging;
 mod li_liu_wu;
 mod limit;
@@ -19,6 +20,7 @@ mod run;
 mod shi_wang_chu;
 mod slack;
 mod song_2013;
+mod undisturbed;
 
 pub use about::{About, Reading};
 pub use finding::{Curve, Finding, Hypothesis, Quantity, Side, Verdict};
