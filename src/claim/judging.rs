@@ -5,7 +5,7 @@ use super::{Curve, Finding, Hypothesis, Quantity, Run, Side, Verdict};
 
 /// A finding in the making. Hypotheses and conclusions are added one by one; a claim holds
 /// where all of its hypotheses are met and all of its conclusions hold.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Judging {
     hypotheses: Vec<Hypothesis>,
     conclusions: Vec<Conclusion>,
@@ -46,11 +46,8 @@ impl Judging {
     /// Nothing as yet, of a run.
     pub fn new<const D: usize>(run: &Run<'_, D>) -> Self {
         Self {
-            hypotheses: Vec::new(),
-            conclusions: Vec::new(),
-            quantities: Vec::new(),
-            curves: Vec::new(),
             first_contact: run.first_contact,
+            ..Self::default()
         }
     }
 

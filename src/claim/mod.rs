@@ -10,6 +10,7 @@
 
 mod about;
 mod djokam_rathinam;
+mod falling;
 mod finding;
 mod integral;
 mod judging;

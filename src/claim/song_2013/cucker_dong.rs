@@ -8,7 +8,6 @@
 //! r_ij² ≥ d0 + (K/(2(θ − 1)E(0)))^(1/(θ − 1)).
 
 use super::distances::{apart, smallest_distance};
-use super::energy_never_rises::never_rises;
 use crate::claim::undisturbed::{MutualAlignment, accelerates, suppose_undisturbed};
 use crate::claim::{About, Claim, Exclusion, Finding, Judging, Reading, Run};
 use crate::math::Vector;
@@ -166,7 +165,7 @@ impl<const D: usize> Claim<D> for CuckerDong {
                         run.energy_slack(seen, energies[0] * energies[0], &center, |_| 1.0);
                     square / speed.max(1e-3 * energies[0])
                 });
-                never_rises(&mut judging, "E(t)", run, &energies, slack);
+                judging.never_rises("E(t)", &run.times(), &energies, &slack);
             }
             Self::Consensus => {
                 let values = run.series(|seen| diameter(&seen.velocities));

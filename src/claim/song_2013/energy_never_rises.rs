@@ -1,7 +1,7 @@
 //! The energy W never rises: the first conclusion of (13) and (20).
 
 use super::model::Model;
-use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
+use crate::claim::{About, Bound, Claim, Finding, Reading, Run, Side};
 
 const TEN: About = About {
     name: "song-2013/theorem-10-energy-never-rises",
@@ -50,33 +50,7 @@ impl<const D: usize> Claim<D> for EnergyNeverRises {
             side: Side::Below,
         });
         let slack = run.series(|seen| setting.slack(run, seen));
-        never_rises(&mut judging, "W(t)", run, &setting.energies, slack);
+        judging.never_rises("W(t)", &run.times(), &setting.energies, &slack);
         Some(judging.finding())
     }
-}
-
-/// The conclusion that an energy at each time is at most the least before, each of them being off
-/// by no more than its slack.
-pub(super) fn never_rises<const D: usize>(
-    judging: &mut Judging,
-    name: &str,
-    run: &Run<'_, D>,
-    energies: &[f64],
-    slack: Vec<f64>,
-) {
-    let mut least = energies[0];
-    let bounds = energies.iter().zip(&slack).map(|(energy, slack)| {
-        let bound = least;
-        least = least.min(energy + slack);
-        bound
-    });
-    judging.bound(Bound {
-        name,
-        times: run.times(),
-        bounds: bounds.collect(),
-        values: energies.to_vec(),
-        slack,
-        side: Side::Below,
-        scale: energies[0],
-    });
 }
