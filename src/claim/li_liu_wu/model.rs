@@ -78,14 +78,14 @@ impl<const D: usize> Setting<D> {
         spread(&seen.velocities) + self.strength * squares.sum::<f64>()
     }
 
-    /// d/dt (|v*|² + s²) along the motion, and the size of its terms.
+    /// d/dt (|v*|² + s²) along the motion, and what its rounding goes with: the sizes of its
+    /// terms, were velocities not centred.
     pub(super) fn slope(&self, seen: &Observation<D>) -> (f64, f64) {
         let (x, v) = (mean(&seen.positions), mean(&seen.velocities));
         let (mut slope, mut size) = (0.0, 0.0);
         for (i, velocity) in seen.velocities.iter().enumerate() {
-            let velocity = velocity - v;
             let way = self.way(&(seen.positions[i] - x)) * self.strength;
-            slope += 2.0 * velocity.dot(&(seen.accelerations[i] - way));
+            slope += 2.0 * (velocity - v).dot(&(seen.accelerations[i] - way));
             size += 2.0 * velocity.norm() * (seen.accelerations[i].norm() + way.norm());
         }
         (slope, size)

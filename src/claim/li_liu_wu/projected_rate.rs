@@ -41,7 +41,7 @@ impl<const D: usize> Claim<D> for ProjectedRate {
             for (v, a) in velocities.iter().zip(&seen.accelerations) {
                 slope += 2.0 * (v - center).x * a.dot(&setting.along);
                 // The force has parts along l that rounding leaves over.
-                size += 2.0 * (v - center).norm() * a.norm();
+                size += 2.0 * v.norm() * a.norm();
             }
             slopes.push(slope);
             sizes.push(size);

@@ -30,7 +30,10 @@ pub(super) fn apart<const D: usize>(
         nearest.insert(after, (closest.time, closest.distance, slack));
     }
     // The least number above the bound must be reached where the bound itself must not.
-    let least = if strict { distance.next_up() } else { distance };
+    let least = match strict {
+        true => distance.next_up().max(f64::MIN_POSITIVE),
+        false => distance,
+    };
     judging.bound(Bound {
         name: "min_{i≠j} |x_i − x_j|",
         times: nearest.iter().map(|it| it.0).collect(),

@@ -142,15 +142,14 @@ impl Setting {
     }
 
     /// dW/dt along the motion, Σ ⟨v̂_i, a_i⟩ − Σ ⟨v̂_i, f_i⟩ with f the forces of the potentials,
-    /// and the size of its terms.
+    /// and what its rounding goes with: the sizes of its terms, were velocities not centred.
     pub(super) fn slope<const D: usize>(&self, seen: &Observation<D>) -> (f64, f64) {
         let center = mean_velocity(seen);
         let (mut slope, mut size) = (0.0, 0.0);
         for (i, velocity) in seen.velocities.iter().enumerate() {
-            let velocity = velocity - center;
             let forces = self.laws[1..].iter().map(|law| seen.by_law[*law][i]);
             let force: Vector<D> = forces.sum();
-            slope += velocity.dot(&(seen.accelerations[i] - force));
+            slope += (velocity - center).dot(&(seen.accelerations[i] - force));
             size += velocity.norm() * (seen.accelerations[i].norm() + force.norm());
         }
         (slope, size)
