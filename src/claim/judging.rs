@@ -5,7 +5,7 @@ use super::{Curve, Finding, Hypothesis, Quantity, Run, Side, Verdict};
 
 /// A finding in the making. Hypotheses and conclusions are added one by one; a claim holds
 /// where all of its hypotheses are met and all of its conclusions hold.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Judging {
     hypotheses: Vec<Hypothesis>,
     conclusions: Vec<Conclusion>,
@@ -62,13 +62,7 @@ impl Judging {
     /// Nothing as yet, of a claim on what a law asks for, whatever comes of it: limits of
     /// forces, senses and contacts between bodies have no part in it.
     pub fn of_law() -> Self {
-        Self {
-            hypotheses: Vec::new(),
-            conclusions: Vec::new(),
-            quantities: Vec::new(),
-            curves: Vec::new(),
-            first_contact: None,
-        }
+        Self::default()
     }
 
     /// The same for a claim that contacts between bodies have no part in.

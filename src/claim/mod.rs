@@ -10,7 +10,9 @@
 
 mod about;
 mod djokam_rathinam;
+mod falling;
 mod finding;
+mod integral;
 mod judging;
 mod li_liu_wu;
 mod limit;
@@ -19,6 +21,7 @@ mod run;
 mod shi_wang_chu;
 mod slack;
 mod song_2013;
+mod undisturbed;
 
 pub use about::{About, Reading};
 pub use finding::{Curve, Finding, Hypothesis, Quantity, Side, Verdict};

@@ -12,12 +12,14 @@ mod song_2013;
 use volary::claim::abouts;
 
 /// The tests of all papers.
-const TESTS: [&str; 5] = [
+const TESTS: [&str; 7] = [
     include_str!("djokam_rathinam.rs"),
     include_str!("li_liu_wu.rs"),
     include_str!("olfati_saber_2003.rs"),
     include_str!("shi_wang_chu.rs"),
     include_str!("song_2013.rs"),
+    include_str!("song_2013/distances.rs"),
+    include_str!("song_2013/quoted.rs"),
 ];
 
 /// No claim may be satisfied by doing nothing: a test must see it hold, and one must see it
