@@ -43,7 +43,10 @@ impl<const D: usize> Claim<D> for CenterInvariance {
             center_of_mass(&model.inertia, &seen.accelerations).norm() / largest
         });
         let count = drift.len();
-        for (name, values) in [("|v*(t) − v*(0)|/max|v(0)|", drift), ("|dv*/dt|/max|a|", rate)] {
+        for (name, values) in [
+            ("|v*(t) − v*(0)|/max|v(0)|", drift),
+            ("|dv*/dt|/max|a|", rate),
+        ] {
             judging.bound(Bound {
                 name,
                 times: run.times(),

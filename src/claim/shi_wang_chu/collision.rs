@@ -1,9 +1,7 @@
 //! Agents never meet, Theorems 1 and 3; and how near they come at most.
 
 use super::model::{Damping, Model};
-use crate::claim::{
-    About, Bound, Claim, Exclusion, Finding, Judging, Reading, Run, Side,
-};
+use crate::claim::{About, Bound, Claim, Exclusion, Finding, Judging, Reading, Run, Side};
 
 const HYPOTHESES: &str = "Control (6) or (15) with balanced weights, no other forces but damping; \
                           no two agents start at the same place.";
@@ -51,7 +49,11 @@ impl<const D: usize> Claim<D> for Collision {
             return Some(judging.finding());
         };
         // The printed one promises no more than the least distance above 0.
-        let bound = if self.sharpened { nearest } else { f64::MIN_POSITIVE };
+        let bound = if self.sharpened {
+            nearest
+        } else {
+            f64::MIN_POSITIVE
+        };
         let seen = run.last();
         judging.measure("r", nearest);
         judging.bound(Bound {
@@ -74,10 +76,13 @@ impl<const D: usize> Claim<D> for Collision {
         let mut judging = Judging::new(run);
         suppose(&model, &mut judging);
         let supposed = judging.is_supposed();
-        supposed.then(|| model.nearest()).flatten().map(|distance| Exclusion {
-            distance,
-            formula: "V(r) = J(0) − (N(N − 1)/2 − 1) min V",
-        })
+        supposed
+            .then(|| model.nearest())
+            .flatten()
+            .map(|distance| Exclusion {
+                distance,
+                formula: "V(r) = J(0) − (N(N − 1)/2 − 1) min V",
+            })
     }
 }
 

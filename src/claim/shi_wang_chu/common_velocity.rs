@@ -36,7 +36,12 @@ impl<const D: usize> Claim<D> for CommonVelocity {
             let off = seen.velocities.iter().map(|v| (v - expected).norm());
             off.fold(0.0, f64::max)
         });
-        judging.tends_to_zero("max_i |v_i − v*(0)|", &run.times(), &off, velocity_floor(run));
+        judging.tends_to_zero(
+            "max_i |v_i − v*(0)|",
+            &run.times(),
+            &off,
+            velocity_floor(run),
+        );
         Some(judging.finding())
     }
 }

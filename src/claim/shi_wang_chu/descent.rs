@@ -45,7 +45,11 @@ pub(super) fn descend<const D: usize>(potential: Potential, start: &[Vector<D>])
         let along = change.iter().zip(&slope).map(|(y, g)| -step * y.dot(g));
         let along: f64 = along.sum();
         let length = step * step * steepness;
-        step = if along > 0.0 { length / along } else { 2.0 * step };
+        step = if along > 0.0 {
+            length / along
+        } else {
+            2.0 * step
+        };
         (at, value, slope) = (next, lower, turned);
     }
     value

@@ -33,9 +33,7 @@ impl<const D: usize> Claim<D> for EnergyFalls {
         let laplacian = model.laplacian();
         let energy = run.series(|seen| model.energy(seen, &seen.velocities));
         let slack = run.observations.iter().zip(&energy);
-        let slack = slack.map(|(seen, energy)| {
-            model.energy_slack(seen, *energy, &Vector::zeros())
-        });
+        let slack = slack.map(|(seen, energy)| model.energy_slack(seen, *energy, &Vector::zeros()));
         let slack: Vec<f64> = slack.collect();
         let powers = run.observations.iter();
         let powers = powers.map(|seen| model.power(seen, &seen.velocities));
@@ -56,7 +54,13 @@ impl<const D: usize> Claim<D> for EnergyFalls {
             rate_slack,
         });
         if run.observations.len() > 1 {
-            judging.equal("max |dJ/dt + ½vᵀ((L + Lᵀ) ⊗ I)v + Σ k_i|v_i|²|, a share", off, 0.0, 1e-9, 1.0);
+            judging.equal(
+                "max |dJ/dt + ½vᵀ((L + Lᵀ) ⊗ I)v + Σ k_i|v_i|²|, a share",
+                off,
+                0.0,
+                1e-9,
+                1.0,
+            );
         }
         Some(judging.finding())
     }

@@ -89,7 +89,11 @@ impl<'r, const D: usize> Model<'r, D> {
         judging.suppose("no other forces act", self.is_alone());
         judging.suppose(
             "all agents see all others as they are",
-            world.spec.agents.iter().all(|group| group.sensing.is_none()),
+            world
+                .spec
+                .agents
+                .iter()
+                .all(|group| group.sensing.is_none()),
         );
         judging.suppose("no actuator cuts a force", is_unlimited(world));
         let largest = damping_scale(world);
@@ -145,7 +149,9 @@ impl<'r, const D: usize> Model<'r, D> {
             LawSpec::Friction(law) | LawSpec::FrictionCompensation(law) => is_linear(law),
             _ => false,
         };
-        world.laws().all(|(scope, law)| scope.is_none() && ours(law))
+        world
+            .laws()
+            .all(|(scope, law)| scope.is_none() && ours(law))
             && count(|law| matches!(law, LawSpec::Alignment(_))) == 1
             && count(|law| matches!(law, LawSpec::PairPotential(_))) == 1
             && world.gravity.norm() == 0.0
@@ -245,7 +251,8 @@ impl<'r, const D: usize> Model<'r, D> {
     pub fn energy_slack(&self, seen: &Observation<D>, energy: f64, center: &Vector<D>) -> f64 {
         let kinetic = kinetic_energy(&self.inertia, &seen.velocities);
         let scale = energy.abs().max(kinetic);
-        self.run.energy_slack(seen, scale, center, |i| self.inertia[i])
+        self.run
+            .energy_slack(seen, scale, center, |i| self.inertia[i])
     }
 }
 
@@ -285,8 +292,14 @@ fn is_linear(law: &FrictionSpec) -> bool {
 
 fn is_unlimited<const D: usize>(world: &World<D>) -> bool {
     let agents = &world.agents;
-    let limits = [&agents.force_limit, &agents.force_rate_limit, &agents.top_speed];
-    limits.iter().all(|limits| limits.iter().all(|limit| limit.is_infinite()))
+    let limits = [
+        &agents.force_limit,
+        &agents.force_rate_limit,
+        &agents.top_speed,
+    ];
+    limits
+        .iter()
+        .all(|limits| limits.iter().all(|limit| limit.is_infinite()))
 }
 
 /// Friction less its compensation, each agent's rate in 1/time.
@@ -304,7 +317,9 @@ fn damping_rates<const D: usize>(world: &World<D>) -> Vec<f64> {
 /// The size of what damping and its compensation are made of.
 fn damping_scale<const D: usize>(world: &World<D>) -> f64 {
     let largest = |law: &FrictionSpec| law.coefficient.largest();
-    frictions(world).map(|(_, _, law)| largest(law)).fold(0.0, f64::max)
+    frictions(world)
+        .map(|(_, _, law)| largest(law))
+        .fold(0.0, f64::max)
 }
 
 fn frictions<const D: usize>(
