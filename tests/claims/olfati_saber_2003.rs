@@ -23,7 +23,10 @@ fn uniform_nets_are_balanced_and_keep_the_mean_heading() {
     let finding = violated("olfati-saber-2003/mean-heading", &turned);
     assert_eq!(finding.closest, Some(6.0));
     let radii = "agents[0].sensing={\"radius\":[1,2,3,4,5,5,4,3,2,1]}";
-    let uneven = plane("olfati-saber-2003/attitude-alignment", &["time.end=1", radii]);
+    let uneven = plane(
+        "olfati-saber-2003/attitude-alignment",
+        &["time.end=1", radii],
+    );
     let uneven = points(&uneven);
     unmet("olfati-saber-2003/uniform-nets-are-balanced", &uneven);
     unmet("olfati-saber-2003/mean-heading", &uneven);
@@ -45,13 +48,19 @@ fn smooth_energy_falls_and_a_flock_comes_to_agree() {
     let finding = violated("olfati-saber-2003/smooth-dissipation", &kicked);
     assert_eq!(finding.closest, Some(20.0));
     let apart = |_: usize, (_, _, v): &mut crate::runs::Seen<2>| v[0][0] = 7.0;
-    violated("olfati-saber-2003/smooth-flocking", &doctored(&world, apart));
+    violated(
+        "olfati-saber-2003/smooth-flocking",
+        &doctored(&world, apart),
+    );
 
     let world = plane("olfati-saber-2003/smooth-flock", &["time.end=60", WEIGHTED]);
     let run = points(&world);
     holds("olfati-saber-2003/weighted-dissipation", &run);
     holds("olfati-saber-2003/weighted-flocking", &run);
-    violated("olfati-saber-2003/weighted-flocking", &doctored(&world, apart));
+    violated(
+        "olfati-saber-2003/weighted-flocking",
+        &doctored(&world, apart),
+    );
     let kicked = doctored(&world, |k, (_, _, v)| {
         if k == 40 {
             v[0] *= 10.0;
@@ -66,7 +75,10 @@ fn nonsmooth_energy_falls_but_where_links_are_made() {
     let run = points(&world);
     holds("olfati-saber-2003/nonsmooth-dissipation", &run);
     let finding = violated("olfati-saber-2003/switching-energies-printed", &run);
-    assert!(finding.closest.is_some_and(|time| time > 0.5), "{finding:?}");
+    assert!(
+        finding.closest.is_some_and(|time| time > 0.5),
+        "{finding:?}"
+    );
     holds("olfati-saber-2003/nonsmooth-flocking", &run);
     let apart = doctored(&world, |_, (_, _, v)| v[0][1] = 3.0);
     violated("olfati-saber-2003/nonsmooth-flocking", &apart);
@@ -142,7 +154,10 @@ fn the_approximation_error_needs_the_nonsmooth_potential() {
     let stretched = plane("olfati-saber-2003/links-add-energy", &smooth);
     let stretched = points(&stretched);
     violated("olfati-saber-2003/approximation-error-printed", &stretched);
-    holds("olfati-saber-2003/approximation-error-corrected", &stretched);
+    holds(
+        "olfati-saber-2003/approximation-error-corrected",
+        &stretched,
+    );
     let sharp = set("laws[0].alpha_interaction.protocol=nonsmooth");
     let sharp = plane("olfati-saber-2003/links-add-energy", &sharp);
     let sharp = points(&sharp);
@@ -156,7 +171,10 @@ fn the_approximation_error_needs_the_nonsmooth_potential() {
         "laws[0].alpha_interaction.protocol=smooth",
     ];
     let near = plane("olfati-saber-2003/links-add-energy", &near);
-    holds("olfati-saber-2003/approximation-error-printed", &points(&near));
+    holds(
+        "olfati-saber-2003/approximation-error-printed",
+        &points(&near),
+    );
 }
 
 #[test]
@@ -235,7 +253,10 @@ fn claims_hold_in_space_and_on_bodies() {
         panic!("the world is in space");
     };
     all_of_proposition_5(&points(&space));
-    let world = plane("olfati-saber-2003/smooth-flock", &["time.end=20", "agents[0].radius=1"]);
+    let world = plane(
+        "olfati-saber-2003/smooth-flock",
+        &["time.end=20", "agents[0].radius=1"],
+    );
     all_of_proposition_5(&bodies(&world));
     let world = plane("olfati-saber-2003/links-add-energy", &[]);
     holds("olfati-saber-2003/nonsmooth-dissipation", &bodies(&world));
