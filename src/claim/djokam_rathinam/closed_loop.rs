@@ -36,7 +36,9 @@ impl<const D: usize> ClosedLoop<D> {
         model.suppose_steered(judging);
         // A constant gain is one of Assumption 1 as far as velocities go.
         let gains = (0..model.count()).map(|i| model.gain_within(i, 0.0));
-        let feedback = gains.into_iter().all(|gain| gain.is_some_and(|it| it > 0.0));
+        let feedback = gains
+            .into_iter()
+            .all(|gain| gain.is_some_and(|it| it > 0.0));
         judging.suppose("gains are functions ξ_i(u) > 0: Assumption 1", feedback);
         let groups = &run.world.spec.agents;
         let sees = |it: &crate::world::spec::ScopeSpec| groups.iter().all(|group| it.sees(group));

@@ -5,7 +5,8 @@ use super::spread::largest_speed;
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
 use crate::math::Vector;
 
-const HYPOTHESES: &str = "The model (2.14): alignment of all agents and steering, and nothing else.";
+const HYPOTHESES: &str =
+    "The model (2.14): alignment of all agents and steering, and nothing else.";
 const MEASURED: &str = "max|v_i(t)|, and the largest |x_i(t)| − |x_i(0)|, with the largest ᾱ = \
                         max α_i and M_β = max|β_i| seen until then.";
 const TOLERANCE: &str = "The slack of velocities, and of positions: between observations M_β may \

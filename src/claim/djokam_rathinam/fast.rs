@@ -75,7 +75,9 @@ pub(super) fn family<'a, const D: usize>(
         family.push(member(world, seen)?);
     }
     // A companion that contacts cut short cannot be compared.
-    let whole = family.iter().all(|it| it.seen.len() == run.observations.len());
+    let whole = family
+        .iter()
+        .all(|it| it.seen.len() == run.observations.len());
     (whole && family.len() > SHARES.len()).then_some(family)
 }
 
@@ -88,7 +90,10 @@ pub(super) fn suppose<const D: usize>(judging: &mut Judging, run: &Run<'_, D>) {
         LawSpec::Navigation(law) => law.steer == Steered::Agent,
         _ => true,
     });
-    judging.suppose("each agent steers by its own state and the time, (4.16)", own);
+    judging.suppose(
+        "each agent steers by its own state and the time, (4.16)",
+        own,
+    );
     let blind = model.law.orientation.is_none();
     judging.suppose("influences depend on positions alone", blind);
     let differ = velocity_spread(run.start()).length > 0.0;

@@ -158,7 +158,11 @@ impl<const D: usize> Claim<D> for Flocking {
         let name = format!("d_V(0) + ∫ d_β < α̲ {}", self.0.name());
         judging.suppose_less(name, differ + steering.total, least * integral);
         let times = run.times();
-        judging.stays_bounded("d_X(t)", &times, &run.series(|it| position_spread(it).length));
+        judging.stays_bounded(
+            "d_X(t)",
+            &times,
+            &run.series(|it| position_spread(it).length),
+        );
         let values = run.series(|it| velocity_spread(it).length);
         judging.tends_to_zero("d_V(t)", &times, &values, slack(run)(run.last()));
         Some(judging.finding())

@@ -44,7 +44,8 @@ impl<const D: usize> Claim<D> for FrictionPower {
         let mut judging = Judging::new(run);
         damped.suppose(&mut judging, run);
         let r = damped.exponent.unwrap_or(0.0);
-        let lost = |seen: &Observation<D>| -damped.least * libm::pow(2.0 * energy(seen), 0.5 * r + 1.0);
+        let lost =
+            |seen: &Observation<D>| -damped.least * libm::pow(2.0 * energy(seen), 0.5 * r + 1.0);
         judging.bound(Bound {
             name: "dE/dt",
             times: run.times(),

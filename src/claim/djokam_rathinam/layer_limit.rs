@@ -65,7 +65,10 @@ impl<const D: usize> Claim<D> for LayerLimit {
         suppose(&mut judging, run);
         let after = agreed(&run.observations).map(|k| (2 * k).max(1));
         let after = after.filter(|k| *k < run.observations.len());
-        judging.suppose("velocities agree to a hundredth by half time", after.is_some());
+        judging.suppose(
+            "velocities agree to a hundredth by half time",
+            after.is_some(),
+        );
         let name = Claim::<D>::about(self).name;
         let family = family(run, name).filter(|_| judging.is_supposed());
         let (Some(family), Some(after)) = (family, after) else {

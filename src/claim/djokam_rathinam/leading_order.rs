@@ -61,7 +61,10 @@ impl LeadingOrder {
             let pairs = seen.positions.iter().zip(&leading.positions);
             let off = pairs.map(|(x, there)| (x - there).norm());
             positions.push(off.fold(0.0, f64::max));
-            let off = seen.velocities.iter().map(|v| (v - leading.velocity).norm());
+            let off = seen
+                .velocities
+                .iter()
+                .map(|v| (v - leading.velocity).norm());
             velocities.push(off.fold(0.0, f64::max));
         }
         Some(Errors {
@@ -89,7 +92,9 @@ impl<const D: usize> Claim<D> for LeadingOrder {
         }
         let mut judging = Judging::new(run);
         suppose(&mut judging, run);
-        let late = run.observations.partition_point(|seen| seen.time < 0.5 * run.last().time);
+        let late = run
+            .observations
+            .partition_point(|seen| seen.time < 0.5 * run.last().time);
         let soon = agreed(&run.observations).is_some_and(|k| k < late);
         judging.suppose("velocities agree to a hundredth by half time", soon);
         let name = Claim::<D>::about(self).name;

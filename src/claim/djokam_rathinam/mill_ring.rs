@@ -107,7 +107,11 @@ fn slows_down<const D: usize>(judging: &mut Judging, run: &Run<'_, D>, model: &M
         let fastest = (0..terms.gains.len()).max_by(|i, j| square(i).total_cmp(&square(j)));
         let lost = |i: usize| {
             let turning = seen.accelerations[i].norm_squared();
-            if turning > 0.0 { -0.5 * turning / terms.gains[i] } else { 0.0 }
+            if turning > 0.0 {
+                -0.5 * turning / terms.gains[i]
+            } else {
+                0.0
+            }
         };
         fastest.map_or(0.0, lost)
     });

@@ -40,14 +40,9 @@ impl<const D: usize> Claim<D> for PositionDiameter {
         });
         let lengths: Vec<f64> = positions.iter().map(|it| it.length).collect();
         let most = lengths.iter().copied().fold(0.0, f64::max);
-        grows_at_most(
-            &mut judging,
-            run,
-            "d_X(t)",
-            &lengths,
-            &velocities,
-            |seen| run.position_slack(seen, most),
-        );
+        grows_at_most(&mut judging, run, "d_X(t)", &lengths, &velocities, |seen| {
+            run.position_slack(seen, most)
+        });
         Some(judging.finding())
     }
 }

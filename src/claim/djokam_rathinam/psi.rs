@@ -37,7 +37,7 @@ impl Psi {
         let sight = law.line_of_sight.as_ref();
         let clear = sight.is_none_or(|it| it.agents == 1.0 && it.obstacles == 1.0);
         let own = law.self_influence || law.normalisation != NormalisationSpec::MotschTadmor;
-        let present = matches!(law.kernel.influence(), kernel if kernel.value(0.0) > 0.0);
+        let present = law.kernel.influence().value(0.0) > 0.0;
         if law.range.is_some() || law.graph.is_some() || !(clear && own && present && sees_all) {
             return None;
         }
@@ -201,6 +201,9 @@ mod tests {
         // ψ = w/2 − w²/4 + …, with w = r^(−1.2) far out.
         let tail = 1e6f64.powf(-0.2) / (2.0 * 0.2) - 1e6f64.powf(-1.4) / (4.0 * 1.4);
         let found = it.integral(2.0, 1);
-        assert!((found - sum - tail).abs() < 1e-8 * found, "{found} {sum} {tail}");
+        assert!(
+            (found - sum - tail).abs() < 1e-8 * found,
+            "{found} {sum} {tail}"
+        );
     }
 }

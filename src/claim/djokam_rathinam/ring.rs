@@ -30,7 +30,7 @@ impl<const D: usize> Ring<D> {
             matrix += &v * v.transpose();
         }
         let flat = ROUNDING * matrix.amax();
-        if !(flat > 0.0) || matrix.rank(flat) != 2 {
+        if flat <= 0.0 || matrix.rank(flat) != 2 {
             return None;
         }
         let inverse = matrix.clone().pseudo_inverse(flat).ok()?;

@@ -77,7 +77,9 @@ pub(super) fn grows_at_most<const D: usize>(
         times: times.get(1..).unwrap_or_default().to_vec(),
         values: values.get(1..).unwrap_or_default().to_vec(),
         bounds,
-        slack: slacks.map(|pair| slack(&pair[0]) + slack(&pair[1])).collect(),
+        slack: slacks
+            .map(|pair| slack(&pair[0]) + slack(&pair[1]))
+            .collect(),
         side: Side::Below,
         scale: 0.0,
     });

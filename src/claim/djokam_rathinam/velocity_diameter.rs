@@ -73,7 +73,10 @@ impl VelocityDiameter {
             Self::Theorem => terms.least_gain() * strongest(common(), squared),
             Self::Sharpened => terms.least_gain() * common().iter().sum::<f64>(),
             Self::Corollary => {
-                least * strongest(terms.in_common_of_all(), |count, theta| count * theta * theta)
+                least
+                    * strongest(terms.in_common_of_all(), |count, theta| {
+                        count * theta * theta
+                    })
             }
             Self::Corrected => least * strongest(terms.in_common_of_all(), squared),
         }
