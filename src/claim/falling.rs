@@ -2,9 +2,59 @@
 
 use super::{Bound, Judging, Side};
 
+/// An energy that must never rise, at each of some times.
+#[derive(Debug, Clone)]
+pub struct Falling<'a> {
+    /// What it is, as a formula.
+    pub name: &'a str,
+    /// The times.
+    pub times: Vec<f64>,
+    /// The values.
+    pub values: Vec<f64>,
+    /// What each value may be off.
+    pub slack: Vec<f64>,
+    /// Its rate of change along the motion, by velocities and accelerations.
+    pub rates: Vec<f64>,
+    /// What each rate may be off.
+    pub rate_slack: Vec<f64>,
+}
+
 impl Judging {
+    /// The conclusion that an energy never rises along the run: its rate of change is nowhere
+    /// above 0, and no value exceeds the least one before it.
+    ///
+    /// Both matter. Rates are those of the laws in the states seen, and say nothing of whether
+    /// the run is a motion of these laws; values at the times seen say nothing of what happens
+    /// in between. A run of one state has not been seen to go anywhere.
+    pub fn falls(&mut self, falling: Falling<'_>) {
+        let Falling {
+            name,
+            times,
+            values,
+            slack,
+            rates,
+            rate_slack,
+        } = falling;
+        if times.len() < 2 {
+            return;
+        }
+        self.measure(format!("{name} at the start"), values[0]);
+        self.measure(format!("{name} at the end"), values[values.len() - 1]);
+        self.never_rises(name, &times, &values, &slack);
+        let steepest = rates.iter().map(|rate| rate.abs()).fold(0.0, f64::max);
+        self.bound(Bound {
+            name: &format!("d/dt {name}"),
+            bounds: vec![0.0; times.len()],
+            times,
+            values: rates,
+            slack: rate_slack,
+            side: Side::Below,
+            scale: steepest,
+        });
+    }
+
     /// The conclusion that a quantity at each time is at most the least that it has been before,
-    /// each value being off by no more than its slack. Margins are shares of the first value.
+    /// each value being off by no more than its slack. Margins are shares of what it falls by.
     pub fn never_rises(&mut self, name: &str, times: &[f64], values: &[f64], slack: &[f64]) {
         let mut least = f64::INFINITY;
         let bounds = values.iter().zip(slack).map(|(value, slack)| {
@@ -12,6 +62,7 @@ impl Judging {
             std::mem::replace(&mut least, bound)
         });
         let bounds: Vec<f64> = bounds.collect();
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         // Nothing was before the first one.
         let kept = usize::from(values.len() > 1);
         self.bound(Bound {
@@ -21,7 +72,7 @@ impl Judging {
             bounds: bounds[kept..].to_vec(),
             slack: slack[kept..].to_vec(),
             side: Side::Below,
-            scale: values.first().map_or(0.0, |first| first.abs()),
+            scale: most - least,
         });
     }
 }

@@ -24,8 +24,9 @@ mod song_2013;
 mod undisturbed;
 
 pub use about::{About, Reading};
+pub use falling::Falling;
 pub use finding::{Curve, Finding, Hypothesis, Quantity, Side, Verdict};
-pub use judging::{Bound, Falling, Judging};
+pub use judging::{Bound, Judging};
 pub use limit::{Trend, bounded, vanishes};
 pub use run::{Closest, MovedBy, Run, closer};
 

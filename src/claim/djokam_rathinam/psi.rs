@@ -1,7 +1,7 @@
 //! ψ(r), the least influence of any agent on any other while the flock is at most r across, (3.8).
 
 use super::model::Model;
-use crate::math::{DormandPrince, Influence};
+use crate::math::{DormandPrince, Influence, Solution};
 use crate::world::spec::{KernelSpec, NormalisationSpec};
 
 /// The relative accuracy of integrals, for each step of them.
@@ -130,7 +130,7 @@ fn integral(of: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let width = to - from;
     let size = of(from).max(of(to)).max(of(0.5 * (from + to)));
     let slope = |s: f64, _: &[f64], out: &mut [f64]| out[0] = of(from + s * width) / size;
-    let mut sum = DormandPrince::new(slope, 0.0, vec![0.0], ACCURACY);
+    let mut sum = Solution::new(slope, DormandPrince::default(), 0.0, vec![0.0], ACCURACY);
     match sum.advance_to(1.0) {
         Ok(()) => sum.state()[0] * width * size,
         Err(_) => f64::NAN,

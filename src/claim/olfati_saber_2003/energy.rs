@@ -143,7 +143,7 @@ pub(super) fn dissipates<const D: usize>(
             (rate - model.dissipation(seen)).abs() / size.max(1e-300),
         );
     }
-    judging.never_rises(Falling {
+    judging.falls(Falling {
         name,
         times: run.times(),
         values,

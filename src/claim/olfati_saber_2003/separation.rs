@@ -123,7 +123,7 @@ impl<const D: usize> Claim<D> for Separation {
             rates.push(total);
             rate_slack.push(1e-9 * total_size);
         }
-        judging.never_rises(Falling {
+        judging.falls(Falling {
             name: if self.part == Part::Whole {
                 "H"
             } else {

@@ -45,7 +45,7 @@ impl<const D: usize> Claim<D> for EnergyFalls {
             (rate - claimed).abs() / size.max(f64::MIN_POSITIVE)
         });
         let off = off.fold(0.0, f64::max);
-        judging.never_rises(Falling {
+        judging.falls(Falling {
             name: "J",
             times: run.times(),
             values: energy,
