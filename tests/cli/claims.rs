@@ -104,7 +104,7 @@ fn what_a_world_expects_of_claims_is_checked_with_it() {
             2,
             &[
                 "w.json:1:",
-                "`claims[0].claim` is not the name of a claim",
+                "claims[0].claim = \"djokam-rathinam/aceleration-bound\": is not the name of a claim",
                 "did you mean djokam-rathinam/acceleration-bound?",
             ],
         );
@@ -113,7 +113,7 @@ fn what_a_world_expects_of_claims_is_checked_with_it() {
     twice.fails(
         "check w.json",
         2,
-        &["`claims[1].expect` is said before of the same claim and dynamics"],
+        &["claims[1].expect = \"violated\": is said before of the same claim and dynamics"],
     );
     let apart = with(json!([on("bodies", "holds"), on("points", "violated")]));
     apart.succeeds("check w.json");

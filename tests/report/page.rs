@@ -170,7 +170,8 @@ fn of_curve(value: impl Fn(f64) -> f64, bound: impl Fn(f64) -> f64) -> Report {
 #[test]
 fn plots_take_whatever_comes() {
     let none = |_: f64| f64::NAN;
-    let values: [(&str, fn(f64) -> f64, usize); 8] = [
+    type Case = (&'static str, fn(f64) -> f64, usize);
+    let values: [Case; 8] = [
         ("zero", |_| 0.0, 1),
         ("never a number", |_| f64::NAN, 0),
         (

@@ -1,5 +1,5 @@
 //! The forms of a validation report: text for a terminal, Markdown, HTML with plots, JSON. All
-//! are pure functions of the [`Report`].
+//! are pure functions of the [`Report`](crate::validate::report::Report).
 
 mod catalogue;
 mod contact;

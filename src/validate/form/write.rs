@@ -34,7 +34,7 @@ impl Form {
 ///
 /// # Errors
 ///
-/// As [`write`].
+/// As [`write()`].
 pub fn check(path: &Path, overwrite: bool) -> Result<(), TraceError> {
     Form::of(path)?;
     file::check_whole(path, overwrite)
