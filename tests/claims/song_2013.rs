@@ -303,7 +303,7 @@ fn doctored_runs_of_theorem_16_are_found_out() {
     let forced = with_forces_of(
         &run,
         &attracted(&[
-            "laws[2].pair_potential.potential.gaussian.height=1e9",
+            "laws[2].pair_potential.potential.gaussian.height=1e10",
             "time.end=0.5",
         ]),
     );

@@ -57,7 +57,8 @@ fn head_on_agents_come_as_near_as_theory_lets_them_and_no_nearer() {
 
 #[test]
 fn a_stray_factor_goes_unnoticed_while_bonds_are_hardly_stretched() {
-    let run = points(&head_on(1.5, 0.1));
+    let world = head_on(1.5, 0.1);
+    let run = points(&world);
     holds("song-2013/remark-13-bonding-force-printed", &run);
     holds("song-2013/remark-13-bonding-force-corrected", &run);
 }
