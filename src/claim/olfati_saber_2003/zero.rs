@@ -257,16 +257,15 @@ impl<'r, const D: usize> Model<'r, D> {
         small: f64,
     ) -> Option<&'r [Observation<D>]> {
         self.suppose(judging, Others::Any);
-        let large = values.iter().rposition(|value| !(*value <= small));
+        let large = values
+            .iter()
+            .rposition(|value| *value > small || value.is_nan());
         let first = large.map_or(0, |last| last + 1);
         let tail = &self.run.observations[first..];
-        let statement = format!("{name} stays zero from some time on");
+        let late = values.iter().rev().take(2).copied();
         judging.suppose_less(
-            statement,
-            values[values.len().saturating_sub(2)..]
-                .iter()
-                .copied()
-                .fold(0.0, f64::max),
+            format!("{name} stays zero from some time on"),
+            late.fold(0.0, f64::max),
             small,
         );
         judging.suppose("it is seen more than once", tail.len() > 1);
