@@ -10,6 +10,7 @@
 
 mod about;
 mod djokam_rathinam;
+mod falling;
 mod finding;
 mod judging;
 mod li_liu_wu;
@@ -21,8 +22,9 @@ mod slack;
 mod song_2013;
 
 pub use about::{About, Reading};
+pub use falling::Falling;
 pub use finding::{Curve, Finding, Hypothesis, Quantity, Side, Verdict};
-pub use judging::{Bound, Falling, Judging};
+pub use judging::{Bound, Judging};
 pub use limit::{Trend, bounded, vanishes};
 pub use run::{Closest, MovedBy, Run, closer};
 

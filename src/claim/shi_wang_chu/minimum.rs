@@ -1,7 +1,8 @@
 //! What the final formation minimises, Theorems 1 and 3.
 
+use super::damping::Damping;
 use super::descent::{BUDGET, descend, total};
-use super::model::{Damping, Model, gradient};
+use super::model::{Model, gradient};
 use crate::claim::{About, Claim, Finding, Judging, Reading, Run, vanishes};
 
 /// From how many configurations the claim goes down to look for minima.
