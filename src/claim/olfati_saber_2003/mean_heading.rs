@@ -18,7 +18,7 @@ const HEADING: About = About {
                circle, is from that at the start.",
     tolerance: "1e-9 for rates, for rounding. For the sum, N times the angle by which a velocity may \
                 be off: of points 100 times the integrator's accuracy, of bodies step² times the jerk \
-                over the least speed, plus a step of turning for each.",
+                over the least speed; the most of all times so far, since a heading stays off.",
 };
 
 /// The mean heading is kept.
@@ -82,9 +82,12 @@ impl<const D: usize> Claim<D> for MeanHeading {
             }
             turn_between(&axis(0), &sum).norm()
         });
+        // What a heading was off once it stays off by.
+        let mut most = 0.0;
         let slack = run.series(|seen| {
             let fastest = seen.velocities.iter().map(|v| v.norm()).fold(0.0, f64::max);
-            agents * run.velocity_slack(seen, fastest) / slowest
+            most = f64::max(most, agents * run.velocity_slack(seen, fastest) / slowest);
+            most
         });
         judging.bound(Bound {
             name: "|Σ θ_i(t) − Σ θ_i(0)|",

@@ -45,7 +45,7 @@ impl<const D: usize> Claim<D> for ZeroEnergy {
         let spread = tail.iter().map(|seen| diameter(&seen.velocities));
         let equal = energies[first..]
             .iter()
-            .map(|energy| 2.0 * energy.max(0.0).sqrt());
+            .map(|energy| 2.0 * (energy.max(0.0) + 1e-12 * h0).sqrt());
         for (name, values, bounds) in [
             (
                 "max ψ over the links",
