@@ -171,10 +171,8 @@ fn the_approximation_error_needs_the_nonsmooth_potential() {
         "laws[0].alpha_interaction.protocol=smooth",
     ];
     let near = plane("olfati-saber-2003/links-add-energy", &near);
-    holds(
-        "olfati-saber-2003/approximation-error-printed",
-        &points(&near),
-    );
+    let near = points(&near);
+    holds("olfati-saber-2003/approximation-error-printed", &near);
 }
 
 #[test]

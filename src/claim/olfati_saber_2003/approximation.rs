@@ -2,7 +2,7 @@
 
 use super::model::{Model, Others};
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
-use crate::math::{AlphaPair, Bump, Fade, Vector};
+use crate::math::{AlphaPair, Bump, Fade, Vector, direction};
 use crate::metric::Observation;
 use crate::world::spec::AlphaProtocol;
 
@@ -97,7 +97,7 @@ fn left_out<const D: usize>(model: &Model<'_, D>, seen: &Observation<D>) -> f64 
         let offset = seen.positions[j] - seen.positions[i];
         let distance = offset.norm();
         let difference = exact.force(distance) - approximate.force(distance);
-        let along = crate::math::direction(&offset) * difference;
+        let along = direction(&offset) * difference;
         differences[i] += along;
         differences[j] -= along;
     }

@@ -2,6 +2,7 @@
 
 use super::model::{Model, Others};
 use crate::claim::{About, Claim, Finding, Judging, Reading, Run};
+use crate::math::direction;
 use crate::metric::diameter;
 use crate::net::Net;
 use crate::world::spec::AlphaProtocol;
@@ -111,7 +112,7 @@ impl<const D: usize> Claim<D> for Flocking {
             let mut fastest = 0.0;
             for (i, (x, v)) in seen.positions.iter().zip(&seen.velocities).enumerate() {
                 for (y, w) in seen.positions[..i].iter().zip(&seen.velocities) {
-                    let along = crate::math::direction(&(x - y));
+                    let along = direction(&(x - y));
                     fastest = f64::max(fastest, along.dot(&(v - w)).abs());
                 }
             }

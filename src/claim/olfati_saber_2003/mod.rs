@@ -2,14 +2,20 @@
 
 mod approximation;
 mod balance;
+mod controller_bounds;
 mod energy;
 mod flocking;
 mod locality;
+mod mean_heading;
 mod model;
 mod momentum;
 mod no_contact;
 mod separation;
+mod switching;
 mod zero;
+mod zero_energy;
+mod zero_motion;
+mod zero_potential;
 
 use super::Claim;
 
@@ -17,16 +23,16 @@ use super::Claim;
 pub(super) fn claims<const D: usize>() -> Vec<Box<dyn Claim<D>>> {
     vec![
         Box::new(balance::Balanced),
-        Box::new(balance::MeanHeading),
+        Box::new(mean_heading::MeanHeading),
         Box::new(locality::Locality),
-        Box::new(zero::ZeroPotential),
-        Box::new(zero::ZeroMotion),
-        Box::new(zero::ConstantDistances),
-        Box::new(zero::ZeroEnergy),
+        Box::new(zero_potential::ZeroPotential),
+        Box::new(zero_motion::ZeroMotion),
+        Box::new(zero_motion::ConstantDistances),
+        Box::new(zero_energy::ZeroEnergy),
         Box::new(approximation::PRINTED),
         Box::new(approximation::CORRECTED),
         Box::new(energy::NONSMOOTH),
-        Box::new(energy::SwitchingEnergies),
+        Box::new(switching::SwitchingEnergies),
         Box::new(flocking::NONSMOOTH),
         Box::new(energy::SMOOTH),
         Box::new(energy::WEIGHTED),
@@ -37,6 +43,6 @@ pub(super) fn claims<const D: usize>() -> Vec<Box<dyn Claim<D>>> {
         Box::new(separation::STRUCTURAL),
         Box::new(separation::TRANSLATIONAL),
         Box::new(separation::WHOLE),
-        Box::new(separation::ControllerBounds),
+        Box::new(controller_bounds::ControllerBounds),
     ]
 }

@@ -1,7 +1,7 @@
 //! The paper's net in a world: an (α, α) protocol, and what else acts.
 
 use crate::claim::{Judging, Run};
-use crate::math::{AlphaPair, Bump, Fade, Vector};
+use crate::math::{AlphaPair, Bump, Fade, Vector, mean};
 use crate::metric::Observation;
 use crate::net::{Net, link_energy, potential_gradient, structural_energy, structural_potential};
 use crate::world::World;
@@ -127,7 +127,7 @@ impl<'r, const D: usize> Model<'r, D> {
     /// powers that make it up.
     pub fn power(&self, seen: &Observation<D>, accelerations: &[Vector<D>]) -> (f64, f64) {
         let gradient = potential_gradient(&seen.positions, &self.net(seen), &self.pair);
-        let center = crate::math::mean(&seen.velocities);
+        let center = mean(&seen.velocities);
         let (mut sum, mut size) = (0.0, 0.0);
         for (i, a) in accelerations.iter().enumerate() {
             let potential = gradient[i].dot(&seen.velocities[i]);
@@ -160,7 +160,7 @@ impl<'r, const D: usize> Model<'r, D> {
 
     /// What H_s may be off in a state.
     pub fn energy_slack(&self, seen: &Observation<D>, energy: f64) -> f64 {
-        let center = crate::math::mean(&seen.velocities);
+        let center = mean(&seen.velocities);
         self.run.energy_slack(seen, energy, &center, |_| 1.0)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::model::{Model, Others};
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
-use crate::math::mean;
+use crate::math::{Vector, mean};
 
 const ABOUT: About = About {
     name: "olfati-saber-2003/momentum",
@@ -44,7 +44,7 @@ impl<const D: usize> Claim<D> for Momentum {
         };
         let sums = run.series(|seen| {
             let controls = &seen.by_law[model.index];
-            let sum: crate::math::Vector<D> = controls.iter().sum();
+            let sum: Vector<D> = controls.iter().sum();
             sum.norm() / controls.iter().map(|u| u.norm()).sum::<f64>().max(1e-300)
         });
         bound("|Σ u_i|/Σ |u_i|", sums);

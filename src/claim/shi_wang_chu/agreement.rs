@@ -1,6 +1,7 @@
 //! Velocities agree, Theorem 1.
 
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Claim, Finding, Judging, Reading, Run};
 use crate::metric::diameter;
 

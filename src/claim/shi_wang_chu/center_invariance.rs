@@ -1,6 +1,7 @@
 //! The velocity that is kept, 3.1.2.
 
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
 use crate::metric::center_of_mass;
 

@@ -1,6 +1,7 @@
 //! Agents never meet, Theorems 1 and 3; and how near they come at most.
 
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Bound, Claim, Exclusion, Finding, Judging, Reading, Run, Side};
 
 const HYPOTHESES: &str = "Control (6) or (15) with balanced weights, no other forces but damping; \

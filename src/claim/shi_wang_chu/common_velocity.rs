@@ -1,7 +1,8 @@
 //! Which velocity they agree on, Theorem 2 and Remark 5.
 
 use super::agreement::velocity_floor;
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Claim, Finding, Judging, Reading, Run};
 
 const ABOUT: About = About {

@@ -1,6 +1,7 @@
 //! What energy leaves of distances: no pair comes nearer, none farther apart, than it can pay.
 
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
 use crate::metric::diameter;
 

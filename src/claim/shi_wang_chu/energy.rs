@@ -1,6 +1,7 @@
 //! The energy falls: (9), and the proofs of Theorems 1 and 3.
 
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Claim, Falling, Finding, Judging, Reading, Run};
 use crate::math::Vector;
 

@@ -9,6 +9,7 @@ mod center_invariance;
 mod collision;
 mod common_velocity;
 mod damped_rest;
+mod damping;
 mod descent;
 mod distances;
 mod energy;

@@ -2,14 +2,14 @@
 
 use nalgebra::DMatrix;
 
+use super::damping::{Damping, damping_rates, damping_scale, is_linear};
 use crate::claim::{Judging, Run};
 use crate::math::{Potential, Vector};
 use crate::metric::{Observation, center_of_mass, kinetic_energy};
 use crate::net::Adjacency;
 use crate::world::World;
 use crate::world::spec::{
-    ActsAs, AlignmentSpec, FrictionSpec, GainSpec, GraphSpec, KernelSpec, LawSpec,
-    PairPotentialSpec, ScopeSpec, Share, Values,
+    ActsAs, AlignmentSpec, GainSpec, GraphSpec, KernelSpec, LawSpec, PairPotentialSpec, Share,
 };
 
 /// A world's alignment law and pair potential, seen as law (6), or as (15) where they are
@@ -23,17 +23,6 @@ pub(super) struct Model<'r, const D: usize> {
     pub inertia: Vec<f64>,
     /// k_i, less what is compensated, in the units of `inertia` over time.
     damping: Vec<f64>,
-}
-
-/// What is supposed of the damping.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Damping {
-    /// None, or compensated as in (4).
-    None,
-    /// That of (3), on every agent.
-    All,
-    /// Any that takes energy, or none.
-    Any,
 }
 
 impl<'r, const D: usize> Model<'r, D> {
@@ -283,13 +272,6 @@ fn is_fixed(law: &AlignmentSpec) -> bool {
     constant && nobody_moves_it && !matches!(law.graph, Some(GraphSpec::OpenLoop(_)))
 }
 
-fn is_linear(law: &FrictionSpec) -> bool {
-    match &law.exponent {
-        Values::All(exponent) => *exponent == 0.0,
-        Values::Each(exponents) => exponents.iter().all(|exponent| *exponent == 0.0),
-    }
-}
-
 fn is_unlimited<const D: usize>(world: &World<D>) -> bool {
     let agents = &world.agents;
     let limits = [
@@ -300,34 +282,4 @@ fn is_unlimited<const D: usize>(world: &World<D>) -> bool {
     limits
         .iter()
         .all(|limits| limits.iter().all(|limit| limit.is_infinite()))
-}
-
-/// Friction less its compensation, each agent's rate in 1/time.
-fn damping_rates<const D: usize>(world: &World<D>) -> Vec<f64> {
-    let mut rates = vec![0.0; world.agents.len()];
-    for (sign, scope, law) in frictions(world) {
-        let coefficients = law.coefficient.spread(&world.acted_on(scope));
-        for (i, coefficient) in coefficients.into_iter().enumerate() {
-            rates[i] += sign * coefficient * law.acts_as.factor(world.agents.mass[i]);
-        }
-    }
-    rates
-}
-
-/// The size of what damping and its compensation are made of.
-fn damping_scale<const D: usize>(world: &World<D>) -> f64 {
-    let largest = |law: &FrictionSpec| law.coefficient.largest();
-    frictions(world)
-        .map(|(_, _, law)| largest(law))
-        .fold(0.0, f64::max)
-}
-
-fn frictions<const D: usize>(
-    world: &World<D>,
-) -> impl Iterator<Item = (f64, Option<&ScopeSpec>, &FrictionSpec)> {
-    world.laws().filter_map(|(scope, law)| match law {
-        LawSpec::Friction(law) => Some((1.0, scope, law)),
-        LawSpec::FrictionCompensation(law) => Some((-1.0, scope, law)),
-        _ => None,
-    })
 }

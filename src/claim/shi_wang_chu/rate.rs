@@ -1,6 +1,7 @@
 //! How fast the energy of the error system falls: 3.1.3, in three readings.
 
-use super::model::{Damping, Model};
+use super::damping::Damping;
+use super::model::Model;
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
 use crate::math::mean;
 use crate::net::symmetric_connectivity;
