@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn the_bound_is_that_of_the_paper_and_solves_its_equation() {
-        let (e, c) = (7.7, 0.1);
+        let (e, c) = (7.7f64, 0.1);
         for r in [0.25, 1.0, 2.0, 3.5] {
             for t in [0.0, 0.3, 10.0] {
                 let printed = (e.powf(-r / 2.0) + 2f64.powf(r / 2.0) * r * c * t).powf(-2.0 / r);
