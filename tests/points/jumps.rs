@@ -100,13 +100,13 @@ fn grazing_is_no_obstacle() {
                 "velocities": { "explicit": [[0, 0], [1, 0]] }
             }],
             "laws": [{ "pair_potential": {
-                "potential": { "attraction": { "stiffness": STIFFNESS } }, "range": RANGE
+                "potential": { "attraction": { "stiffness": 0.05 } }, "range": RANGE
             } }]
         })));
         let mut simulation = points(start, 1e-10);
         run_to(&mut simulation, 6.0);
         let turned = (simulation.snapshot().velocities[1] - nalgebra::vector![1.0, 0.0]).norm();
-        // Inside for √(−8 r miss)/2 at speed 1, under a pull of 2r.
+        // Too weak to hold who flies by: inside for some √(−8 r miss), under a pull of 0.075.
         assert!(turned < 1e-3, "{miss}: {turned}");
     }
 }

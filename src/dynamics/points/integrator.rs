@@ -51,6 +51,7 @@ impl Integrator {
                 state,
                 slope: &slope,
                 tolerance: 1.0,
+                through: false,
             };
             Radau::fastest_decay(&mut field, stand)
         });

@@ -47,7 +47,7 @@ impl Method for DormandPrince {
                 }
             }
             let margin = system.margin(end);
-            if margin < 0.0 {
+            if margin < 0.0 && !stand.through {
                 return Attempt::Crossed { share, margin };
             }
             if stage == TIMES.len() {

@@ -8,6 +8,10 @@ use super::{Attempt, Method, Stand, System};
 /// state back to where it jumps, from both sides, jumps without end.
 const MOST_STOPS: usize = 100_000;
 
+/// The error of a step through a jump up to which that is let pass, as a share of the one
+/// allowed.
+const HIDDEN: f64 = 0.01;
+
 /// A solution of a system on its way.
 pub struct Solution<S, M> {
     system: S,
@@ -143,15 +147,19 @@ impl<S: System, M: Method> Solution<S, M> {
             // No crumb is left to the next step.
             let last = self.step >= left * (1.0 - 1e-9);
             let step = if last { left } else { self.step };
+            let reached = if last { end } else { self.time + step };
             let error = match self.attempt(step) {
                 Attempt::Done { error, .. } if error <= 1.0 => {
-                    self.accept(if last { end } else { self.time + step });
+                    self.accept(reached);
                     self.step = step * factor::<M>(error);
                     return Ok(());
                 }
                 Attempt::Done { error, .. } => error,
                 Attempt::Lost => f64::NAN,
                 Attempt::Crossed { share, margin } => {
+                    if self.go_through(step, reached) {
+                        return Ok(());
+                    }
                     match self.stop_before([share * step, margin], step, end)? {
                         None => return Ok(()),
                         Some(error) => error,
@@ -162,6 +170,22 @@ impl<S: System, M: Method> Solution<S, M> {
             if self.time + self.step <= self.time || !self.step.is_normal() {
                 return Err(self.stuck(Stumble::Error));
             }
+        }
+    }
+
+    /// Takes a step through a jump that is too small to show in its error: where agents have
+    /// come to rest at the place of the jump, rounding takes them to and fro.
+    fn go_through(&mut self, step: f64, reached: f64) -> bool {
+        let attempt = self.attempt_as(step, true);
+        match attempt {
+            Attempt::Done { error, margin } if error <= HIDDEN => {
+                self.accept(reached);
+                self.system.settle(&self.state);
+                self.jumps += usize::from(margin < 0.0);
+                self.step = step;
+                true
+            }
+            _ => false,
         }
     }
 
@@ -247,11 +271,16 @@ impl<S: System, M: Method> Solution<S, M> {
     }
 
     fn attempt(&mut self, step: f64) -> Attempt {
+        self.attempt_as(step, false)
+    }
+
+    fn attempt_as(&mut self, step: f64, through: bool) -> Attempt {
         let stand = Stand {
             time: self.time,
             state: &self.state,
             slope: &self.slope,
             tolerance: self.tolerance,
+            through,
         };
         self.method
             .attempt(&mut self.system, stand, step, &mut self.end)
