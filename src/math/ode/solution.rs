@@ -232,10 +232,9 @@ impl<S: System, M: Method> Solution<S, M> {
         if self.stops > MOST_STOPS {
             return Err(self.stuck(Stumble::Jumps));
         }
-        // Where no step at all stays on this side, the way over may be longer: rounding hides
-        // how soon a state that creeps up gets there.
+        // The way over may be many hairs: rounding hides how far a state is that creeps up.
         let moved = self.time > begin;
-        self.jump(if moved { 64.0 } else { 262_144.0 } * hair, end, moved);
+        self.jump(262_144.0 * hair, end, moved);
         Ok(None)
     }
 
