@@ -40,9 +40,9 @@ fn gragg(
             .map(|k| 0.5 * (now[k] + before[k] + s * slope[k]))
             .collect();
         // Neville's scheme in 1/parts².
-        for column in 0..j {
+        for (column, row) in table.iter_mut().enumerate() {
             let ratio = (parts as f64 / (2.0 * (j - column) as f64)).powi(2);
-            let old = std::mem::replace(&mut table[column], entry.clone());
+            let old = std::mem::replace(row, entry.clone());
             entry = (0..n)
                 .map(|k| entry[k] + (entry[k] - old[k]) / (ratio - 1.0))
                 .collect();

@@ -14,6 +14,9 @@ use crate::common::{flock_world, order, spec, world};
 use crate::nets::net;
 use crate::reference::{points, run_to, shipped_world};
 
+/// Which energy it is.
+type Energy = fn(&LawsRecord) -> Option<f64>;
+
 /// What the laws' energies are now.
 fn energies(simulation: &Simulation<2>, flock: &mut Flock<2>) -> LawsRecord {
     let (world, now) = (simulation.world(), simulation.snapshot());
@@ -34,7 +37,7 @@ fn energies(simulation: &Simulation<2>, flock: &mut Flock<2>) -> LawsRecord {
 /// start, at an accuracy of 1e-12.
 #[test]
 fn energies_never_rise() {
-    let cases: [(&str, fn(&LawsRecord) -> Option<f64>); 4] = [
+    let cases: [(&str, Energy); 4] = [
         ("song-2013/example-18", |record| record.energy),
         ("song-2013/example-19", |record| record.energy),
         ("shi-wang-chu/ideal", |record| record.total_energy),
