@@ -95,7 +95,7 @@ pub(super) fn table(summary: &Summary, solver: Option<Solver>, took: Duration) -
             solver.relative,
             match solver.jumps {
                 0 => String::new(),
-                jumps => format!("; stopped at {} of the laws", plural(jumps, "jump")),
+                jumps => format!("; {} of the laws", plural(jumps, "jump")),
             }
         ),
         None => write!(

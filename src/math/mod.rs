@@ -20,7 +20,7 @@ pub use bump::Bump;
 pub use gain::{Gain, shortened};
 pub use influence::Influence;
 pub use normal::normal_quantile;
-pub use ode::{DormandPrince, Method, Radau, Solution, Stand, Stuck, Stumble, System};
+pub use ode::{Attempt, DormandPrince, Method, Radau, Solution, Stand, Stuck, Stumble, System};
 pub use potential::Potential;
 pub use time_function::{Interpolation, TimeFunction};
 pub use trajectory::{Moment, Spline, Trajectory, plane_across};

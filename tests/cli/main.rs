@@ -8,6 +8,7 @@ mod content;
 mod determinism;
 mod files;
 mod input;
+mod points;
 mod reduce;
 mod resume;
 mod scene;

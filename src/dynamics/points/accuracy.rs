@@ -46,6 +46,6 @@ pub struct Solver {
     pub order: usize,
     /// See [`Accuracy::relative`].
     pub relative: f64,
-    /// How many of its steps so far ended because some law jumped.
+    /// How often so far a pair of agents came to or left a distance at which some law jumps.
     pub jumps: u64,
 }

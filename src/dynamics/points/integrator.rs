@@ -51,6 +51,7 @@ impl Integrator {
                 state,
                 slope: &slope,
                 tolerance: 1.0,
+                through: false,
             };
             Radau::fastest_decay(&mut field, stand)
         });
@@ -68,7 +69,7 @@ impl Integrator {
     pub(super) fn advance<const D: usize>(
         &mut self,
         field: Field<'_, D>,
-        state: &mut Vec<f64>,
+        state: &mut [f64],
         times: [f64; 2],
         relative: f64,
     ) -> Result<(), Stuck> {
@@ -88,11 +89,11 @@ impl Integrator {
         &mut self,
         field: Field<'_, D>,
         method: M,
-        state: &mut Vec<f64>,
+        state: &mut [f64],
         [begin, end]: [f64; 2],
         relative: f64,
     ) -> Result<M, Stuck> {
-        let mut solution = Solution::new(field, method, begin, state.clone(), relative);
+        let mut solution = Solution::new(field, method, begin, state.to_vec(), relative);
         if let Some(step) = self.step {
             solution = solution.with_step(step);
         }

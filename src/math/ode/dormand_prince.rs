@@ -32,11 +32,9 @@ impl Method for DormandPrince {
             slope.resize(stand.state.len(), 0.0);
         }
         self.slopes[0].copy_from_slice(stand.slope);
-        for stage in 1..=TIMES.len() {
-            let (weights, share) = match STAGES.get(stage - 1) {
-                Some(weights) => (*weights, TIMES[stage]),
-                None => (&END[..], 1.0),
-            };
+        let shares = TIMES[1..].iter().copied().chain([1.0]);
+        for (stage, share) in (1..).zip(shares) {
+            let weights = STAGES.get(stage - 1).copied().unwrap_or(&END);
             end.clear();
             end.extend_from_slice(stand.state);
             for (weight, slope) in weights.iter().zip(&self.slopes) {
@@ -47,7 +45,7 @@ impl Method for DormandPrince {
                 }
             }
             let margin = system.margin(end);
-            if margin < 0.0 {
+            if margin < 0.0 && !stand.through {
                 return Attempt::Crossed { share, margin };
             }
             if stage == TIMES.len() {

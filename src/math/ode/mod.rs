@@ -14,8 +14,8 @@ pub use solution::{Solution, Stuck, Stumble};
 
 /// The equations y' = f(t, y).
 ///
-/// Where f jumps, a system tells by its margin, and no step takes one value of f from
-/// either side.
+/// Where f jumps, a system tells by its margin, and no step mixes values of f from both sides,
+/// but where the jump is too small to show in its error.
 pub trait System {
     /// Writes f(t, y) into `out`.
     fn slope(&mut self, time: f64, state: &[f64], out: &mut [f64]);
@@ -55,6 +55,8 @@ pub struct Stand<'a> {
     pub slope: &'a [f64],
     /// The error that a step may make in an entry, as a share of its scale.
     pub tolerance: f64,
+    /// Whether a step may go through a jump.
+    pub through: bool,
 }
 
 /// What became of a step that was tried.
@@ -64,7 +66,7 @@ pub enum Attempt {
     Done {
         /// Its error, as a share of the one allowed.
         error: f64,
-        /// The margin at its end, not negative.
+        /// The margin at its end, negative only if it has gone through a jump.
         margin: f64,
     },
     /// Some state that it asked for lies beyond a jump.

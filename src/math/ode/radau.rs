@@ -124,7 +124,7 @@ impl Radau {
                 end.extend(sum(stand.state, &self.ways[STAGES - 1]));
                 let margin = system.margin(end);
                 let error = self.error(system, stand, step, &factors, end);
-                match margin < 0.0 {
+                match margin < 0.0 && !stand.through {
                     true => Attempt::Crossed { share: 1.0, margin },
                     false => Attempt::Done { error, margin },
                 }
@@ -166,7 +166,7 @@ impl Radau {
                 scratch.clear();
                 scratch.extend(sum(stand.state, way));
                 let (share, margin) = (NODES[stage], system.margin(scratch));
-                if margin < 0.0 {
+                if margin < 0.0 && !stand.through {
                     return Err(Attempt::Crossed { share, margin });
                 }
                 let time = stand.time + share * step;
@@ -227,7 +227,7 @@ impl Radau {
         }
         // What is stiff is overestimated by far after a change; once more does away with that.
         let moved: Vec<f64> = sum(stand.state, &error).collect();
-        if system.margin(&moved) < 0.0 {
+        if system.margin(&moved) < 0.0 && !stand.through {
             return first;
         }
         let mut slope = vec![0.0; scratch.len()];

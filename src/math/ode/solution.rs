@@ -4,9 +4,13 @@ use std::fmt;
 
 use super::{Attempt, Method, Stand, System};
 
-/// How often the slope may jump on the way to a time that is to be reached. A slope that
-/// drives the state back to where it jumps, from both sides, jumps without end.
-const MOST_JUMPS: usize = 10_000;
+/// How often steps may stop for jumps before the integration gives up. A slope that drives the
+/// state back to where it jumps, from both sides, jumps without end.
+const MOST_STOPS: usize = 100_000;
+
+/// The error of a step through a jump up to which that is let pass, as a share of the one
+/// allowed.
+const HIDDEN: f64 = 0.01;
 
 /// A solution of a system on its way.
 pub struct Solution<S, M> {
@@ -21,6 +25,7 @@ pub struct Solution<S, M> {
     /// Whether `slope` is that of the state.
     known: bool,
     jumps: usize,
+    stops: usize,
     end: Vec<f64>,
 }
 
@@ -66,6 +71,7 @@ impl<S: System, M: Method> Solution<S, M> {
             tolerance,
             known: false,
             jumps: 0,
+            stops: 0,
         };
         solution.system.settle(&solution.state);
         solution.know();
@@ -141,15 +147,19 @@ impl<S: System, M: Method> Solution<S, M> {
             // No crumb is left to the next step.
             let last = self.step >= left * (1.0 - 1e-9);
             let step = if last { left } else { self.step };
+            let reached = if last { end } else { self.time + step };
             let error = match self.attempt(step) {
                 Attempt::Done { error, .. } if error <= 1.0 => {
-                    self.accept(if last { end } else { self.time + step });
+                    self.accept(reached);
                     self.step = step * factor::<M>(error);
                     return Ok(());
                 }
                 Attempt::Done { error, .. } => error,
                 Attempt::Lost => f64::NAN,
                 Attempt::Crossed { share, margin } => {
+                    if self.go_through(step, reached) {
+                        return Ok(());
+                    }
                     match self.stop_before([share * step, margin], step, end)? {
                         None => return Ok(()),
                         Some(error) => error,
@@ -160,6 +170,22 @@ impl<S: System, M: Method> Solution<S, M> {
             if self.time + self.step <= self.time || !self.step.is_normal() {
                 return Err(self.stuck(Stumble::Error));
             }
+        }
+    }
+
+    /// Takes a step through a jump that is too small to show in its error: where agents have
+    /// come to rest at the place of the jump, rounding takes them to and fro.
+    fn go_through(&mut self, step: f64, reached: f64) -> bool {
+        let attempt = self.attempt_as(step, true);
+        match attempt {
+            Attempt::Done { error, margin } if error <= HIDDEN => {
+                self.accept(reached);
+                self.system.settle(&self.state);
+                self.jumps += usize::from(margin < 0.0);
+                self.step = step;
+                true
+            }
+            _ => false,
         }
     }
 
@@ -202,33 +228,37 @@ impl<S: System, M: Method> Solution<S, M> {
             self.know();
             self.step = step;
         }
-        self.jump(hair, end)?;
-        match self.time > begin {
-            true => Ok(None),
-            false => Err(self.stuck(Stumble::Jumps)),
+        self.stops += 1;
+        if self.stops > MOST_STOPS {
+            return Err(self.stuck(Stumble::Jumps));
         }
+        // The way over may be many hairs: rounding hides how far a state is that creeps up.
+        let moved = self.time > begin;
+        self.jump(262_144.0 * hair, end, moved);
+        Ok(None)
     }
 
-    /// Goes straight on over the place where the slope jumps, if it is but hairs away: so far
-    /// that no slope of the near side is used any more.
-    fn jump(&mut self, hair: f64, end: f64) -> Result<(), Stuck> {
-        let mut way = hair;
-        while way <= 64.0 * hair {
+    /// Goes straight on over the place where the slope jumps, if that is at most `farthest`
+    /// away: so little that no slope of the near side is used any more. If it is not there,
+    /// stays, or goes on all the same.
+    fn jump(&mut self, farthest: f64, end: f64, may_stay: bool) {
+        let mut way = f64::EPSILON * self.time.abs().max(farthest);
+        loop {
             let line = self.state.iter().zip(&self.slope);
             self.end.clear();
             self.end.extend(line.map(|(y, slope)| y + way * slope));
-            if self.system.margin(&self.end) < 0.0 {
+            let crossed = self.system.margin(&self.end) < 0.0;
+            let last = 2.0 * way > farthest;
+            if crossed || (last && !may_stay) {
                 self.accept(f64::min(self.time + way, end));
                 self.system.settle(&self.state);
-                self.jumps += 1;
-                return match self.jumps > MOST_JUMPS {
-                    true => Err(self.stuck(Stumble::Jumps)),
-                    false => Ok(()),
-                };
+                self.jumps += usize::from(crossed);
+            }
+            if crossed || last {
+                return;
             }
             way *= 2.0;
         }
-        Ok(())
     }
 
     /// Finds the slope of the state.
@@ -240,11 +270,16 @@ impl<S: System, M: Method> Solution<S, M> {
     }
 
     fn attempt(&mut self, step: f64) -> Attempt {
+        self.attempt_as(step, false)
+    }
+
+    fn attempt_as(&mut self, step: f64, through: bool) -> Attempt {
         let stand = Stand {
             time: self.time,
             state: &self.state,
             slope: &self.slope,
             tolerance: self.tolerance,
+            through,
         };
         self.method
             .attempt(&mut self.system, stand, step, &mut self.end)
@@ -270,5 +305,130 @@ fn factor<M: Method>(error: f64) -> f64 {
     match error.is_finite() {
         true => (0.9 * libm::pow(error.max(1e-12), -1.0 / M::POWER)).clamp(0.2, 5.0),
         false => 0.2,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{DormandPrince, Radau};
+
+    /// A spiral run through faster and faster, with a known solution.
+    fn spiral(t: f64, y: &[f64], out: &mut [f64]) {
+        // y = e^(−t/5) (cos t², sin t²).
+        out[0] = -0.2 * y[0] - 2.0 * t * y[1];
+        out[1] = -0.2 * y[1] + 2.0 * t * y[0];
+    }
+
+    fn error(y: &[f64], t: f64) -> f64 {
+        let (sin, cos) = (t * t).sin_cos();
+        let left = (-0.2 * t).exp();
+        (y[0] - left * cos).hypot(y[1] - left * sin)
+    }
+
+    /// A swing, ẍ = −x − ẋ/5, and its solution from (1, 0).
+    fn swing(_: f64, y: &[f64], out: &mut [f64]) {
+        out[0] = y[1];
+        out[1] = -y[0] - 0.2 * y[1];
+    }
+
+    fn swing_error(y: &[f64], t: f64) -> f64 {
+        let omega = 0.99f64.sqrt();
+        let (sin, cos) = (omega * t).sin_cos();
+        let x = (-0.1 * t).exp() * (cos + 0.1 / omega * sin);
+        (y[0] - x).abs()
+    }
+
+    fn orders<M: Method>(
+        system: fn(f64, &[f64], &mut [f64]),
+        method: impl Fn() -> M,
+        error: fn(&[f64], f64) -> f64,
+        steps: [i32; 3],
+    ) -> Vec<f64> {
+        let errors = steps.map(|steps| {
+            let mut solution = Solution::new(system, method(), 0.0, vec![1.0, 0.0], 1e300);
+            for _ in 0..steps {
+                solution.step = 2.0 / f64::from(steps);
+                solution.advance().expect("finite numbers");
+            }
+            error(solution.state(), 2.0)
+        });
+        let pairs = errors.windows(2);
+        pairs.map(|pair| (pair[0] / pair[1]).log2()).collect()
+    }
+
+    #[test]
+    fn fixed_steps_have_the_order_of_the_method() {
+        for order in orders(spiral, DormandPrince::default, error, [10, 20, 40]) {
+            assert!((7.3..9.0).contains(&order), "{order}");
+        }
+    }
+
+    #[test]
+    fn tolerances_are_kept_and_ends_are_met() {
+        for tolerance in [1e-6, 1e-9, 1e-12] {
+            let start = vec![1.0, 0.0];
+            let mut solution =
+                Solution::new(spiral, DormandPrince::default(), 0.0, start, tolerance);
+            for end in [0.1, 0.1, 1.0, 4.0] {
+                solution.advance_to(end).expect("finite numbers");
+                assert_eq!(solution.time(), end);
+                let error = error(solution.state(), end);
+                assert!(error < 100.0 * tolerance, "{tolerance}: {error}");
+            }
+            let mut solution =
+                Solution::new(swing, Radau::default(), 0.0, vec![1.0, 0.0], tolerance);
+            solution.advance_to(5.0).expect("finite numbers");
+            let error = swing_error(solution.state(), 5.0);
+            assert!(error < 10.0 * tolerance + 1e-14, "{tolerance}: {error}");
+        }
+    }
+
+    #[test]
+    fn what_blows_up_gets_stuck_in_time() {
+        let square = |_: f64, y: &[f64], out: &mut [f64]| out[0] = y[0] * y[0];
+        let method = DormandPrince::default();
+        let mut solution = Solution::new(square, method, 0.0, vec![1.0], 1e-9);
+        let stuck = solution
+            .advance_to(2.0)
+            .expect_err("1/(1 − t) has no value");
+        assert!((stuck.time - 1.0).abs() < 1e-3, "{stuck}");
+        let nothing = |_: f64, _: &[f64], out: &mut [f64]| out.fill(f64::NAN);
+        for both in [
+            Solution::new(nothing, DormandPrince::default(), 0.0, vec![1.0, 1.0], 1e-9).advance(),
+            Solution::new(nothing, Radau::default(), 0.0, vec![1.0, 1.0], 1e-9).advance(),
+        ] {
+            assert_eq!(both.map_err(|stuck| stuck.over), Err(Stumble::Error));
+        }
+    }
+
+    /// A ball that a force holds up below a height and another one draws down above it: in
+    /// the end it cannot leave that height.
+    struct Hover {
+        above: bool,
+    }
+
+    impl System for Hover {
+        fn slope(&mut self, _: f64, y: &[f64], out: &mut [f64]) {
+            out[0] = y[1];
+            out[1] = if y[0] > 1.0 { -3.0 } else { 2.0 } - 4.0 * y[1];
+        }
+
+        fn margin(&mut self, y: &[f64]) -> f64 {
+            if self.above { y[0] - 1.0 } else { 1.0 - y[0] }
+        }
+
+        fn settle(&mut self, y: &[f64]) {
+            self.above = y[0] > 1.0;
+        }
+    }
+
+    #[test]
+    fn a_slope_that_jumps_without_end_ends_the_integration() {
+        let hover = Hover { above: false };
+        let mut solution = Solution::new(hover, DormandPrince::default(), 0.0, vec![0.0; 2], 1e-9);
+        let stuck = solution.advance_to(1e3).expect_err("it hovers");
+        assert_eq!(stuck.over, Stumble::Jumps);
+        assert!(solution.jumps() > 10 && (solution.state()[0] - 1.0).abs() < 1e-3);
     }
 }

@@ -90,3 +90,66 @@ pub(super) const MODES: [Mode; 3] = [
         ],
     },
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Complex, SMatrix};
+
+    type Square = SMatrix<f64, STAGES, STAGES>;
+
+    /// A⁻¹, from the nodes: A maps x^k at the nodes to x^(k+1)/(k+1).
+    fn inverse() -> Square {
+        let powers = Square::from_fn(|i, k| NODES[i].powi(k as i32));
+        let integrals = Square::from_fn(|i, k| NODES[i].powi(k as i32 + 1) / (k as f64 + 1.0));
+        powers * integrals.try_inverse().expect("nodes that differ")
+    }
+
+    #[test]
+    fn nodes_make_the_quadrature_exact_to_the_order() {
+        // The weights are the last row of A.
+        let weights = inverse().try_inverse().expect("a regular matrix");
+        for power in 0..9 {
+            let terms = (0..STAGES).map(|j| weights[(STAGES - 1, j)] * NODES[j].powi(power));
+            let sum: f64 = terms.sum();
+            let wanted = 1.0 / (f64::from(power) + 1.0);
+            assert!((sum - wanted).abs() < 1e-13, "{power}: {sum} {wanted}");
+        }
+    }
+
+    #[test]
+    fn modes_are_the_eigenvectors() {
+        let inverse = inverse();
+        let number = |pair: (f64, f64)| Complex::new(pair.0, pair.1);
+        for mode in &MODES {
+            let rate = number(mode.rate);
+            for i in 0..STAGES {
+                let right: Complex<f64> = (0..STAGES)
+                    .map(|j| number(mode.to[j]) * inverse[(i, j)])
+                    .sum();
+                assert!((right - rate * number(mode.to[i])).norm() < 1e-11);
+                let left: Complex<f64> = (0..STAGES)
+                    .map(|j| number(mode.from[j]) * inverse[(j, i)])
+                    .sum();
+                assert!((left - rate * number(mode.from[i])).norm() < 1e-10);
+            }
+            let product: Complex<f64> = (0..STAGES)
+                .map(|j| number(mode.from[j]) * number(mode.to[j]))
+                .sum();
+            assert!((product - 1.0).norm() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_embedded_solution_is_of_order_five() {
+        let gamma = MODES[0].rate.0;
+        // With z = A F, the weights' differences at the nodes are ERROR · A.
+        let a = inverse().try_inverse().expect("a regular matrix");
+        for power in 0..5 {
+            let weight = |j: usize| (0..STAGES).map(|i| ERROR[i] * a[(i, j)]).sum::<f64>();
+            let sum: f64 = (0..STAGES).map(|j| weight(j) * NODES[j].powi(power)).sum();
+            let at_start = if power == 0 { 1.0 / gamma } else { 0.0 };
+            assert!((sum + at_start).abs() < 1e-13, "{power}: {sum}");
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Points: that they follow the equations of the papers to the accuracy asked for.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod jumps;
+mod nets;
+mod papers;
+mod reference;
+mod runs;
+mod stiff;
