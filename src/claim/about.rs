@@ -29,6 +29,9 @@ pub struct About {
 pub enum Reading {
     /// The paper's, word for word.
     Printed,
+    /// The paper's, word for word, where it is known to be wrong: another one corrects it. That
+    /// a run violates it is no surprise.
+    Misprinted,
     /// Ours, in place of a printed one that is wrong or incomplete.
     Corrected,
     /// Ours, stronger than a printed one that holds.

@@ -101,7 +101,8 @@ pub struct ClaimReport {
 pub struct JudgedRun {
     /// What moved the agents.
     pub dynamics: DynamicsName,
-    /// The verdict that the world expects; null where it only expects no violation.
+    /// The verdict that the world expects; null where it says nothing: then the claim must not
+    /// be violated, unless it is misprinted.
     pub expected: Option<Verdict>,
     /// Whether the finding is as expected.
     pub as_expected: bool,

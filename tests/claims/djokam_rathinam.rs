@@ -4,8 +4,10 @@ use crate::runs::{
     Seen, bodies, doctored, holds, plane, point_states, points, seen, shipped, unmet, violated,
 };
 use volary::claim::{Run, claims};
+use volary::dynamics::Engine;
 use volary::math::Vector;
 use volary::metric::Observation;
+use volary::shape::In;
 use volary::world::{AnyWorld, World};
 
 #[test]
@@ -45,7 +47,10 @@ fn space(name: &str, set: &[&str]) -> World<3> {
 }
 
 /// Friction whose speeds do not fall, a run of its world.
-fn restless<const D: usize>(world: &World<D>) -> Run<'_, D> {
+fn restless<const D: usize>(world: &World<D>) -> Run<'_, D>
+where
+    In<D>: Engine<D>,
+{
     doctored(world, |_, state| {
         state.2.clone_from(&world.agents.velocities)
     })
@@ -148,7 +153,10 @@ fn rings_in_space_are_found() {
 }
 
 /// A run in which an agent's velocity jumps.
-fn jerked<const D: usize>(world: &World<D>, share: f64) -> Run<'_, D> {
+fn jerked<const D: usize>(world: &World<D>, share: f64) -> Run<'_, D>
+where
+    In<D>: Engine<D>,
+{
     doctored(world, |k, state| {
         if k == 3 {
             let far = state.2[0] - state.2[1];

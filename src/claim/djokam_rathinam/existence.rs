@@ -15,7 +15,7 @@ const TOLERANCE: &str = "The slack of velocities, and of positions: between obse
 const PRINTED: About = About {
     name: "djokam-rathinam/existence-printed",
     source: "Djokam & Rathinam, Lemma 8 in App. A, the last two formulas",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "|v_i(t)| ≤ E(0)^½ + 2^(−½) ᾱ M_β T and |x_i(t)| ≤ |x_i(0)| + T times that, up to any \
                 T ≥ t. As |v_i| is (2E_i)^½, not E_i^½, it fails at T = 0.",
     hypotheses: HYPOTHESES,

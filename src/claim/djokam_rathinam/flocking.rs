@@ -29,7 +29,7 @@ const ROUNDED: &str = "1e-12 of max α_i max|v_i| + d_β for the derivative, whi
 const PRINTED: About = About {
     name: "djokam-rathinam/flocking-printed",
     source: "Djokam & Rathinam, Theorem 2, (3.9)",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "Agents flock where d_V(0) + ∫ d_β < α̲ N² ∫ ψ, over distances from d_X(0) on.",
     hypotheses: ALL_ASKED,
     measured: LIMITS,
@@ -60,7 +60,7 @@ const SHARPENED: About = About {
 const RATE_PRINTED: About = About {
     name: "djokam-rathinam/flocking-rate-printed",
     source: "Djokam & Rathinam, proof of Theorem 2, first formula",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "d/dt d_V ≤ −α̲ N² ψ(d_X) d_V + d_β.",
     hypotheses: ASKED,
     measured: SLOPE,

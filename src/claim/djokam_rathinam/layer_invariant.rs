@@ -16,7 +16,7 @@ const TOLERANCE: &str = "1e-9 of Σ π_i ξ_i|u_i| and 1e-13 of Σ π_i ξ_i max
 const PRINTED: About = About {
     name: "djokam-rathinam/layer-invariant-printed",
     source: "Djokam & Rathinam, (4.24)",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "Σ π_i Z_i(τ) does not change in the layer (4.23).",
     hypotheses: "The family (4.1) with ε < 1: alignment by positions alone, with gains and \
                  influences of Assumptions 1 and 2, and steering by each agent's own state and the \

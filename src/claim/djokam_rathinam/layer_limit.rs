@@ -22,7 +22,7 @@ const TOLERANCE: &str = "0.01 d_V(0); the parabola must be within half of that o
 const PRINTED: About = About {
     name: "djokam-rathinam/layer-limit-printed",
     source: "Djokam & Rathinam, (4.25)",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "The flock's velocity after the layer is v^f(0) = Σ π_i v_i(0).",
     hypotheses: HYPOTHESES,
     measured: MEASURED,

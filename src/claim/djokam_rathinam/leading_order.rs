@@ -17,7 +17,7 @@ const TOLERANCE: &str = "0.05 for slopes: errors are ε times something and ε²
 const PRINTED: About = About {
     name: "djokam-rathinam/leading-order-printed",
     source: "Djokam & Rathinam, section 4, (4.19) from v^f(0) as in (4.25)",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "The leading order from v^f(0) = Σ π_i v_i(0) is off by O(ε), in positions and, after \
                 the layer, in velocities.",
     hypotheses: HYPOTHESES,

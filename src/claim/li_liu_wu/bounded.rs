@@ -18,7 +18,7 @@ const EIGHT: About = About {
 
 const EIGHT_PRINTED: About = About {
     name: "li-liu-wu/bound-8-printed",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "s_i ≤ Σ s_i ≤ M = √(N/γ) M*, the root over N/γ alone; by the line above it M* belongs \
                 under it. Where M* < 1 the bound is too small.",
     ..EIGHT

@@ -34,7 +34,7 @@ const RATE: About = About {
 const RATE_PRINTED: About = About {
     name: "li-liu-wu/energy-rate-printed",
     source: "Li, Liu & Wu, above (7)",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "d/dt (|v*|² + s²) = −2αI(d_X)|v*|²: the last lines above (7) have \"=\" where agents \
                 nearer than d_X make it \"<\".",
     measured: "By how much the slope along the motion is off.",
@@ -54,7 +54,7 @@ const UNIFORM_RATE: About = About {
 
 const UNIFORM_RATE_PRINTED: About = About {
     name: "li-liu-wu/uniform-rate-printed",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "d/dt (|v*|² + s²) ≤ −2αI(d*)|v*|², with d* the largest d_X̃, (10). But d* is only the \
                 extent along l.",
     ..UNIFORM_RATE

@@ -21,7 +21,7 @@ pub(super) const PRINTED: Approximation = Approximation {
     about: &About {
         name: "olfati-saber-2003/approximation-error-printed",
         source: "Olfati-Saber (2003), (37)",
-        reading: Reading::Printed,
+        reading: Reading::Misprinted,
         statement: "Σ |u_i − û_i| ≤ (2 L_ρ/r) V(q) for protocols (35) and (36), with the smooth V of \
                     the smooth net that they are for.",
         hypotheses: HYPOTHESES,

@@ -8,7 +8,7 @@ use crate::world::spec::AlphaProtocol;
 const SEQUENCE: About = about(
     "olfati-saber-2003/switching-energies-printed",
     "Olfati-Saber (2003), Remark 5",
-    Reading::Printed,
+    Reading::Misprinted,
     [
         "Under (34), the energies H_s at the switches of the net are a decreasing sequence. Every \
          new link adds h0 to H_s, (31), so this can fail; nonsmooth-dissipation has what holds.",

@@ -17,7 +17,7 @@ const HYPOTHESES: &str = "Control (6) or (15), weights balanced and weakly conne
 const PRINTED: About = About {
     name: "shi-wang-chu/global-minimum-printed",
     source: "Shi, Wang & Chu, Theorems 1 and 3",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "The final configuration globally minimises the potentials of all agents.",
     hypotheses: HYPOTHESES,
     measured: "The potential V_end of the minimum below the last state, once forces are seen to \

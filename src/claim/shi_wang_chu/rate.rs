@@ -35,7 +35,7 @@ pub(super) struct Rate {
 pub(super) const PRINTED: Rate = Rate {
     about: &about(
         "shi-wang-chu/rate-printed",
-        Reading::Printed,
+        Reading::Misprinted,
         "dJ*/dt ≤ −λ2 e_vᵀe_v, with λ2 the second smallest eigenvalue of L + Lᵀ and e_v the \
          velocities as seen from the centre of mass.",
     ),
@@ -46,7 +46,7 @@ pub(super) const PRINTED: Rate = Rate {
 pub(super) const HALVED: Rate = Rate {
     about: &about(
         "shi-wang-chu/rate-halved",
-        Reading::Corrected,
+        Reading::Misprinted,
         "dJ*/dt ≤ −(λ2/2) e_vᵀe_v: as printed, with the ½ of (18), which got lost. Still wrong \
          where masses differ, for then e_v is not orthogonal to 1.",
     ),

@@ -18,7 +18,7 @@ const BONDS: About = About {
 
 const STRAY: About = About {
     name: "song-2013/remark-13-bonding-force-printed",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "With the stray factor of the print, |k_a Σ_j (r_ij − η)/r_ij (x_j − x_i)| \
                 √(2W(0)/k_a) ≤ (N − 1)√(2k_a W(0)). Nothing proves it.",
     measured: "The largest such sum of an agent at each time, times √(2W(0)/k_a).",
@@ -45,7 +45,7 @@ const ATTRACTION: About = About {
 
 const ATTRACTION_PRINTED: About = About {
     name: "song-2013/remark-17-attraction-printed",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "k_a |x_i| ≤ √(2k_a W(0)), with the position x_i where x̂_i = x_i − x_c is meant. A \
                 flock that moves on breaks it.",
     measured: "max_i k_a |x_i| at each time.",

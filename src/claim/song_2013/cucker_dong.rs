@@ -17,7 +17,7 @@ use crate::world::spec::{CuckerDongSpec, LawSpec};
 const PRINTED: About = About {
     name: "song-2013/cucker-dong-distance-printed",
     source: "Song et al. (2013), below (3), on Cucker & Dong (2010)",
-    reading: Reading::Printed,
+    reading: Reading::Misprinted,
     statement: "Where β ≤ 1/2 and all |x_i(0) − x_j(0)| > d0, the distance between any two agents \
                 is greater than d0. But f, which is infinite at d0, acts on the squared distance.",
     hypotheses: "Model (3) and nothing else; β ≤ 1/2; all pairs farther apart than d0 at the start.",

@@ -3,6 +3,7 @@
 use super::contact;
 use super::overview::{self, CONTACT_COLUMNS, CONTACT_LEGEND, ClaimRow};
 use super::reasons::{reasons, standing};
+use super::silent::{is_silent, silent};
 use super::tally::Tally;
 use super::words::{
     DYNAMICS, closest, contacts, digits, dynamics, number, on, plural, reading, verdict,
@@ -100,13 +101,26 @@ fn of_world(world: &WorldReport) -> String {
     }
     if world.claims.is_empty() {
         out += "\nNo claim has anything to say of this world.\n";
-    } else {
+    } else if !world.claims.iter().all(is_silent) {
         out.push('\n');
         out += &row(["claim", "reading", "points", "bodies", "why"]);
         out += &rule(5);
     }
-    for claim in &world.claims {
+    for claim in world.claims.iter().filter(|it| !is_silent(it)) {
         out += &claim_row(claim);
+    }
+    let silent = silent(&world.claims);
+    if !silent.is_empty() {
+        out.push('\n');
+    }
+    for group in silent {
+        let names: Vec<_> = group.claims.iter().map(|it| code(it)).collect();
+        let reason = escape(group.reason);
+        out += &format!(
+            "- {}: {reason}: {}\n",
+            escape(group.paper),
+            names.join(", ")
+        );
     }
     if let Some(contact) = &world.contact {
         out += "\n### Bodies against points\n\n";

@@ -13,6 +13,7 @@ mod plot;
 mod polyline;
 mod reasons;
 mod scale;
+mod silent;
 mod table;
 mod tally;
 mod words;

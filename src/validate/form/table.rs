@@ -4,6 +4,7 @@ use super::contact;
 use super::grid::aligned;
 use super::overview::{self, CONTACT_COLUMNS, CONTACT_LEGEND, ClaimRow};
 use super::reasons::reasons;
+use super::silent::{is_silent, silent};
 use super::tally::Tally;
 use super::words::{
     DYNAMICS, WIDTH, closest, contacts, digits, dynamics, number, on, paper, plural, reading,
@@ -73,24 +74,30 @@ fn claims(claims: &[ClaimReport]) -> String {
         row.extend(DYNAMICS.map(|name| cell(claim, name)));
         row
     };
+    let spoken: Vec<_> = claims.iter().filter(|it| !is_silent(it)).collect();
     let mut rows = Vec::new();
-    if !claims.is_empty() {
+    if !spoken.is_empty() {
         rows.push(
             ["  claim", "reading", "points", "bodies"]
                 .map(str::to_owned)
                 .to_vec(),
         );
     }
-    rows.extend(claims.iter().map(row));
+    rows.extend(spoken.iter().copied().map(row));
     let mut lines = aligned(&rows).into_iter();
     let mut out = lines.next().unwrap_or_default();
     let mut last = None;
-    for (claim, line) in claims.iter().zip(lines) {
+    for (claim, line) in spoken.into_iter().zip(lines) {
         out += &paper_heading(&claim.claim, &mut last);
         out += &line;
         for reason in reasons(claim) {
             out += &wrap(&format!("        {}: ", reason.about), 10, reason.text);
         }
+    }
+    for group in silent(claims) {
+        let names = group.claims.join(", ");
+        let text = format!("{}: {}: {names}", group.paper, group.reason);
+        out += &wrap("  ", 6, &text);
     }
     out
 }

@@ -29,6 +29,7 @@ pub(super) fn verdict(verdict: Verdict) -> &'static str {
 pub(super) fn reading(reading: Reading) -> &'static str {
     match reading {
         Reading::Printed => "printed",
+        Reading::Misprinted => "misprinted",
         Reading::Corrected => "corrected",
         Reading::Sharpened => "sharpened",
     }

@@ -97,7 +97,7 @@ pub struct WorldSpec {
     #[serde(default)]
     pub record: RecordSpec,
     /// What `volary validate` is to find here; of claims that are not listed only that none is
-    /// violated.
+    /// violated, but for those that are misprinted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub claims: Vec<ClaimSpec>,
 }
