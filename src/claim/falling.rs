@@ -71,3 +71,12 @@ impl Judging {
         });
     }
 }
+
+/// What sums of powers may be off by rounding, by the sizes of their terms at each of some times:
+/// 1e-9 of these, and 1e-12 of the largest of all, since where agents rest the forces of which
+/// these terms are made cancel.
+pub(super) fn rounding(sizes: &[f64]) -> Vec<f64> {
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let each = sizes.iter().map(|size| 1e-9 * size + 1e-12 * largest);
+    each.collect()
+}
