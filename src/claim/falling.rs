@@ -55,7 +55,12 @@ impl Judging {
 
     /// The conclusion that a quantity at each time is at most the least that it has been before,
     /// each value being off by no more than its slack. Margins are shares of what it falls by.
+    ///
+    /// Of one value there is nothing to conclude.
     pub fn never_rises(&mut self, name: &str, times: &[f64], values: &[f64], slack: &[f64]) {
+        if values.len() < 2 {
+            return;
+        }
         let mut least = f64::INFINITY;
         let bounds = values.iter().zip(slack).map(|(value, slack)| {
             let bound = least.min(*value + slack);
@@ -64,17 +69,25 @@ impl Judging {
         let bounds: Vec<f64> = bounds.collect();
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         // Nothing was before the first one.
-        let kept = usize::from(values.len() > 1);
         self.bound(Bound {
             name,
-            times: times[kept..].to_vec(),
-            values: values[kept..].to_vec(),
-            bounds: bounds[kept..].to_vec(),
-            slack: slack[kept..].to_vec(),
+            times: times[1..].to_vec(),
+            values: values[1..].to_vec(),
+            bounds: bounds[1..].to_vec(),
+            slack: slack[1..].to_vec(),
             side: Side::Below,
             scale: most - least,
         });
     }
+}
+
+/// What sums of powers may be off by rounding, by the sizes of their terms at each of some times:
+/// 1e-9 of these, and 1e-12 of the largest of all, since where agents rest the forces of which
+/// these terms are made cancel.
+pub(super) fn rounding(sizes: &[f64]) -> Vec<f64> {
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let each = sizes.iter().map(|size| 1e-9 * size + 1e-12 * largest);
+    each.collect()
 }
 
 #[cfg(test)]
@@ -99,5 +112,7 @@ mod tests {
         // A slow rise adds up.
         let slow = judged(&[3.0, 3.08, 3.16, 3.24, 3.32], 0.1);
         assert_eq!(slow, (Verdict::Violated, Some(4.0)));
+        // A run of one state has not been seen to go anywhere.
+        assert_eq!(judged(&[3.0], 0.1).0, Verdict::Undecided);
     }
 }

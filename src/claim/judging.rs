@@ -251,10 +251,11 @@ impl Judging {
 
     fn trend(&mut self, trend: Trend, margin: f64, times: &[f64], reason: String) {
         self.conclusions.push(Conclusion {
-            verdict: match trend.seen {
-                Some(true) => Verdict::Holds,
-                Some(false) => Verdict::Violated,
-                None => Verdict::Undecided,
+            verdict: match (trend.seen, self.first_contact) {
+                (Some(true), _) => Verdict::Holds,
+                // Bodies that touched had no time to come to a limit.
+                (Some(false), None) => Verdict::Violated,
+                _ => Verdict::Undecided,
             },
             margin: finite(margin),
             closest: times.last().copied(),

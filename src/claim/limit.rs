@@ -22,7 +22,8 @@ pub struct Trend {
 /// Seen: all of the last half is below the floor; or at most a hundredth of the largest value
 /// is left there, q ≥ 1 (it halves whenever time doubles) and q ≥ p/2 (the decay does not
 /// flatten out). Refuted: the values of the last half are within one part in a hundred of one
-/// another and above ten times the floor; or they have more than doubled since the half before.
+/// another and above ten times the floor; or they have more than doubled since the half before, to
+/// more than a hundredth of the largest value: what is all but over may stir again.
 pub fn vanishes(times: &[f64], values: &[f64], floor: f64) -> Trend {
     let end = times.last().copied().unwrap_or(0.0);
     let largest = |from: f64, to: f64| {
@@ -41,7 +42,7 @@ pub fn vanishes(times: &[f64], values: &[f64], floor: f64) -> Trend {
     let below = e3 <= floor;
     let decays = e3 <= 0.01 * most && q >= 1.0 && q >= 0.5 * p;
     let stays = least >= 0.99 * e3 && e3 > 10.0 * floor;
-    let grows = e3 > 2.0 * e2 && e3 > 10.0 * floor;
+    let grows = e3 > 2.0 * e2 && e3 > 10.0 * floor && e3 > 0.01 * most;
     let seen = match () {
         () if !e3.is_finite() => Some(false),
         () if below || decays => Some(true),
@@ -128,6 +129,8 @@ mod tests {
         assert_eq!(of(|t| 1.0 / (1.0 + t)), None);
         assert_eq!(of(|t| (-0.02 * t).exp()), None);
         assert_eq!(of(|t| 0.004 + (-0.2 * t).exp()), None);
+        // All but over, and stirring again.
+        assert_eq!(of(|t| (-t).exp() + 1e-6 * (0.1 * t).exp()), None);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use rayon::prelude::*;
 use volary::dynamics::{Accuracy, Engine};
 use volary::shape::In;
 use volary::validate::report::{Report, WorldReport};
@@ -95,7 +96,7 @@ pub(super) fn validate(arguments: &ValidateArguments) -> Result<(), Refusal> {
         ));
     }
     let reports: Vec<_> = arguments.threads.install(|| {
-        let judged = worlds.iter().map(|(name, world)| match world {
+        let judged = worlds.par_iter().map(|(name, world)| match world {
             AnyWorld::Plane(world) => one(name, world, wanted),
             AnyWorld::Space(world) => one(name, world, wanted),
         });

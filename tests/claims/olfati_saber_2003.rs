@@ -57,10 +57,8 @@ fn smooth_energy_falls_and_a_flock_comes_to_agree() {
     let run = points(&world);
     holds("olfati-saber-2003/weighted-dissipation", &run);
     holds("olfati-saber-2003/weighted-flocking", &run);
-    violated(
-        "olfati-saber-2003/weighted-flocking",
-        &doctored(&world, apart),
-    );
+    let torn = doctored(&world, apart);
+    violated("olfati-saber-2003/weighted-flocking", &torn);
     let kicked = doctored(&world, |k, (_, _, v)| {
         if k == 40 {
             v[0] *= 10.0;

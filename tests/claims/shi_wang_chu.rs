@@ -240,3 +240,14 @@ fn all_of_theorem_1<const D: usize>(run: &Run<'_, D>) {
         holds(&format!("shi-wang-chu/{name}"), run);
     }
 }
+
+#[test]
+fn two_unequal_agents_refute_the_rate() {
+    let world = plane("shi-wang-chu/unequal-pair", &[]);
+    for run in [points(&world), bodies(&world)] {
+        violated("shi-wang-chu/rate-halved", &run);
+        holds("shi-wang-chu/rate-corrected", &run);
+        holds("shi-wang-chu/energy-falls", &run);
+        holds("shi-wang-chu/global-minimum-printed", &run);
+    }
+}

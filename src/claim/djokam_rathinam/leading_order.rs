@@ -1,7 +1,7 @@
 //! How near the leading order (4.19) is: section 4.1.
 
 use super::fast::{Member, agreed, companions, family, is_fast, suppose};
-use crate::claim::{About, Claim, Finding, Judging, Reading, Run};
+use crate::claim::{About, Claim, Finding, Judging, MovedBy, Reading, Run};
 use crate::reduced::FastFlocking;
 use crate::world::World;
 
@@ -98,7 +98,15 @@ impl<const D: usize> Claim<D> for LeadingOrder {
         let soon = agreed(&run.observations).is_some_and(|k| k < late);
         judging.suppose("velocities agree to a hundredth by half time", soon);
         let name = Claim::<D>::about(self).name;
-        let Some(family) = family(run, name).filter(|_| judging.is_supposed()) else {
+        let family = family(run, name);
+        if let (MovedBy::Bodies { step }, Some(family)) = (run.moved_by, &family) {
+            let least = family.iter().map(|it| it.epsilon);
+            let least = least.fold(f64::INFINITY, f64::min);
+            // Bodies come to agree in the first step, and are off by its size from then on.
+            let fine = step <= 10.0 * least * (1.0 + 1e-9);
+            judging.suppose("the step of bodies is at most ten times the least ε", fine);
+        }
+        let Some(family) = family.filter(|_| judging.is_supposed()) else {
             return Some(judging.finding());
         };
         let errors: Option<Vec<Errors>> = family.iter().map(|it| self.errors(it)).collect();

@@ -1,6 +1,7 @@
 //! Structural energy falls: Propositions 4 and 5.
 
 use super::model::{Model, Others};
+use crate::claim::falling::rounding;
 use crate::claim::{About, Claim, Falling, Finding, Judging, MovedBy, Reading, Run};
 use crate::metric::Observation;
 use crate::net::LinkChanges;
@@ -9,7 +10,7 @@ use crate::world::spec::AlphaProtocol;
 const TOLERANCE: &str = "Of energies: of points 100 times the integrator's accuracy, of bodies \
                          step² times speeds, jerks and accelerations, and for links that came or \
                          went one step of their power, which jumps there. Of rates 1e-9 of the \
-                         powers they are the sums of, for rounding.";
+                         powers they are the sums of and 1e-12 of the largest, for rounding.";
 
 pub(super) const fn about(
     name: &'static str,
@@ -119,7 +120,7 @@ pub(super) fn dissipates<const D: usize>(
         return;
     }
     let (mut values, mut slack) = (Vec::new(), Vec::new());
-    let (mut rates, mut rate_slack, mut off) = (Vec::new(), Vec::new(), 0.0);
+    let (mut rates, mut sizes, mut off) = (Vec::new(), Vec::new(), 0.0);
     let mut jumps = 0.0;
     for (k, seen) in run.observations.iter().enumerate() {
         let energy = model.energy(seen, &model.pair);
@@ -137,23 +138,21 @@ pub(super) fn dissipates<const D: usize>(
         slack.push(model.energy_slack(seen, energy.max(constant)) + jumps);
         let (rate, size) = model.power(seen, &seen.accelerations);
         rates.push(rate);
-        rate_slack.push(1e-9 * size);
-        off = f64::max(
-            off,
-            (rate - model.dissipation(seen)).abs() / size.max(1e-300),
-        );
+        sizes.push(size);
+        off = f64::max(off, (rate - model.dissipation(seen)).abs());
     }
+    let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     judging.falls(Falling {
         name,
         times: run.times(),
         values,
         slack,
         rates,
-        rate_slack,
+        rate_slack: rounding(&sizes),
     });
     judging.equal(
         "max |dH_s/dt + c1 Σ a_ij |p_j − p_i|²|, a share",
-        off,
+        off / largest,
         0.0,
         1e-9,
         1.0,

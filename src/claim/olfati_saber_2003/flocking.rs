@@ -107,7 +107,8 @@ impl<const D: usize> Claim<D> for Flocking {
             );
         }
         let fastest = run.series(|seen| diameter(&seen.velocities));
-        let floor = run.velocity_slack(run.last(), fastest[0]);
+        let speeds = run.start().velocities.iter().map(|v| v.norm());
+        let floor = run.velocity_slack(run.last(), speeds.fold(0.0, f64::max));
         let stretch = run.series(|seen| {
             let mut fastest = 0.0;
             for (i, (x, v)) in seen.positions.iter().zip(&seen.velocities).enumerate() {

@@ -2,6 +2,7 @@
 
 use super::energy::dissipates;
 use super::model::{Model, Others};
+use crate::claim::falling::rounding;
 use crate::claim::{About, Claim, Falling, Finding, Judging, Reading, Run};
 use crate::math::{Vector, mean, saturate};
 use crate::metric::Observation;
@@ -13,7 +14,7 @@ const HYPOTHESES: &str = "Protocol (48) with u^α of (35), its damping weighted 
                           forces.";
 const TOLERANCE: &str = "Of energies: of points 100 times the integrator's accuracy, of bodies step² \
                          times speeds, jerks and accelerations. Of rates 1e-9 of the powers they are \
-                         the sums of, for rounding.";
+                         the sums of and 1e-12 of the largest, for rounding.";
 
 const fn about(name: &'static str, statement: &'static str, measured: &'static str) -> About {
     About {
@@ -101,14 +102,14 @@ impl<const D: usize> Claim<D> for Separation {
             return Some(judging.finding());
         }
         let agents = run.world.agents.len() as f64;
-        let (mut values, mut slack, mut rates, mut rate_slack) = (vec![], vec![], vec![], vec![]);
+        let (mut values, mut slack, mut rates, mut sizes) = (vec![], vec![], vec![], vec![]);
         let mut off: f64 = 0.0;
         for seen in &run.observations {
             let energy = group.energy(seen);
             let (rate, size) = group.power(seen);
             let share = |_| 1.0 / agents;
             let mut error = run.energy_slack(seen, energy, &group.velocity, share);
-            off = off.max((rate - group.dissipation(seen)).abs() / size.max(1e-300));
+            off = off.max((rate - group.dissipation(seen)).abs());
             let (mut value, mut total, mut total_size) = (energy, rate, size);
             if self.part == Part::Whole {
                 let structural = model.energy(seen, &model.pair);
@@ -121,8 +122,9 @@ impl<const D: usize> Claim<D> for Separation {
             values.push(value);
             slack.push(error);
             rates.push(total);
-            rate_slack.push(1e-9 * total_size);
+            sizes.push(total_size);
         }
+        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         judging.falls(Falling {
             name: if self.part == Part::Whole {
                 "H"
@@ -133,11 +135,11 @@ impl<const D: usize> Claim<D> for Separation {
             values,
             slack,
             rates,
-            rate_slack,
+            rate_slack: rounding(&sizes),
         });
         judging.equal(
             "max |dH_tr/dt + c2 (p̄ − p_d)·φ(p̄ − p_d)|, a share",
-            off,
+            off / largest,
             0.0,
             1e-9,
             1.0,

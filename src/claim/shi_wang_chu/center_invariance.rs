@@ -14,7 +14,7 @@ const ABOUT: About = About {
     hypotheses: "Control (6) or (15) with balanced weights, no other forces; damping only where \
                  it is compensated.",
     measured: "How far that velocity is from the one at the start, and its rate of change, both as \
-               shares of what they are the means of.",
+               shares of the largest that they are means of.",
     tolerance: "1e-9, for rounding: every step of every integrator here keeps what the laws keep.",
 };
 
@@ -38,11 +38,13 @@ impl<const D: usize> Claim<D> for CenterInvariance {
         let fastest = run.start().velocities.iter().map(|v| v.norm());
         let fastest = fastest.fold(f64::MIN_POSITIVE, f64::max);
         let drift = run.series(|seen| (model.kept_velocity(seen) - start).norm() / fastest);
-        let rate = run.series(|seen| {
-            let largest = seen.by_law.iter().flatten().map(|a| a.norm());
-            let largest = largest.fold(f64::MIN_POSITIVE, f64::max);
-            center_of_mass(&model.inertia, &seen.accelerations).norm() / largest
-        });
+        let controls = run
+            .observations
+            .iter()
+            .flat_map(|seen| seen.by_law.iter().flatten());
+        let largest = controls.map(|a| a.norm()).fold(f64::MIN_POSITIVE, f64::max);
+        let rate =
+            run.series(|seen| center_of_mass(&model.inertia, &seen.accelerations).norm() / largest);
         let count = drift.len();
         for (name, values) in [
             ("|v*(t) − v*(0)|/max|v(0)|", drift),

@@ -2,6 +2,7 @@
 
 use super::damping::Damping;
 use super::model::Model;
+use crate::claim::falling::rounding;
 use crate::claim::{About, Claim, Falling, Finding, Judging, Reading, Run};
 use crate::math::Vector;
 
@@ -15,7 +16,7 @@ const ABOUT: About = About {
     measured: "J in every observation; its rate by velocities and accelerations, which is to be \
                the dissipation of the formula too.",
     tolerance: "Of J: of points 100 times the integrator's accuracy, of bodies step² times masses, \
-                speeds and jerks. Of rates 1e-9 of the powers they are the sums of, for rounding.",
+                speeds and jerks. Of rates 1e-9 of the powers they are the sums of and 1e-12 of the largest, for rounding.",
 };
 
 /// See the file.
@@ -39,20 +40,21 @@ impl<const D: usize> Claim<D> for EnergyFalls {
         let powers = run.observations.iter();
         let powers = powers.map(|seen| model.power(seen, &seen.velocities));
         let powers: Vec<(f64, f64)> = powers.collect();
-        let rate_slack: Vec<f64> = powers.iter().map(|(_, size)| 1e-9 * size).collect();
         let off = run.observations.iter().zip(&powers);
-        let off = off.map(|(seen, (rate, size))| {
+        let off = off.map(|(seen, (rate, _))| {
             let claimed = model.dissipation(&laplacian, &seen.velocities);
-            (rate - claimed).abs() / size.max(f64::MIN_POSITIVE)
+            (rate - claimed).abs()
         });
-        let off = off.fold(0.0, f64::max);
+        let sizes: Vec<f64> = powers.iter().map(|(_, size)| *size).collect();
+        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let off = off.fold(0.0, f64::max) / largest;
         judging.falls(Falling {
             name: "J",
             times: run.times(),
             values: energy,
             slack,
             rates: powers.iter().map(|(rate, _)| *rate).collect(),
-            rate_slack,
+            rate_slack: rounding(&sizes),
         });
         if run.observations.len() > 1 {
             judging.equal(

@@ -2,6 +2,7 @@
 
 use super::damping::Damping;
 use super::model::Model;
+use crate::claim::falling::rounding;
 use crate::claim::{About, Bound, Claim, Finding, Judging, Reading, Run, Side};
 use crate::math::mean;
 use crate::net::symmetric_connectivity;
@@ -9,7 +10,8 @@ use crate::net::symmetric_connectivity;
 const HYPOTHESES: &str = "Control (6) or (15), weights balanced and weakly connected, no other \
                           forces; damping only where it is compensated.";
 const MEASURED: &str = "dJ*/dt by velocities and accelerations, against the bound.";
-const TOLERANCE: &str = "1e-9 of the powers that the rate is the sum of, for rounding.";
+const TOLERANCE: &str =
+    "1e-9 of the powers that the rate is the sum of, and 1e-12 of the largest, for rounding.";
 
 const fn about(name: &'static str, reading: Reading, statement: &'static str) -> About {
     About {
@@ -77,7 +79,7 @@ impl<const D: usize> Claim<D> for Rate {
         model.suppose_connection(&mut judging);
         let connectivity = symmetric_connectivity(&model.weights(run.start())).unwrap_or(0.0);
         judging.measure("λ2(L + Lᵀ)", connectivity);
-        let (mut rates, mut bounds, mut slack) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut rates, mut bounds, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
         for seen in &run.observations {
             let errors = model.errors(seen);
             let (rate, size) = model.power(seen, &errors);
@@ -86,14 +88,14 @@ impl<const D: usize> Claim<D> for Rate {
             let squares: f64 = squares.sum();
             rates.push(rate);
             bounds.push(-self.factor * connectivity * squares);
-            slack.push(1e-9 * size);
+            sizes.push(size);
         }
         judging.bound(Bound {
             name: "dJ*/dt",
             times: run.times(),
             values: rates,
             bounds,
-            slack,
+            slack: rounding(&sizes),
             side: Side::Below,
             scale: 0.0,
         });
