@@ -6,7 +6,8 @@ pub(super) struct Integral {
     /// The integral up to each time.
     pub(super) values: Vec<f64>,
     /// What each may be off: twice h³/12 |f''| of every stretch up to there, with the larger of
-    /// the second derivatives that its neighbours show.
+    /// the second derivatives that its neighbours show; where it changes by a third or more, so
+    /// that these show little, half of the change times h, which no monotone quantity exceeds.
     pub(super) errors: Vec<f64>,
 }
 
@@ -26,9 +27,11 @@ pub(super) fn integral(times: &[f64], values: &[f64]) -> Integral {
         let around = [k.checked_sub(2).and_then(bend), bend(k - 1)];
         let around = around.into_iter().flatten().reduce(f64::max);
         // Of two values nothing tells how they bend.
+        let change = (values[k] - values[k - 1]).abs();
+        let seldom = change > 0.3 * values[k].abs().max(values[k - 1].abs());
         let off = match around {
-            Some(second) => h.powi(3) / 6.0 * second,
-            None => 0.5 * h * (values[k] - values[k - 1]).abs(),
+            Some(second) if !seldom => h.powi(3) / 6.0 * second,
+            _ => 0.5 * h * change,
         };
         integral.values[k] = integral.values[k - 1] + 0.5 * h * (values[k] + values[k - 1]);
         integral.errors[k] = integral.errors[k - 1] + off;

@@ -12,6 +12,8 @@ pub struct Judging {
     quantities: Vec<Quantity>,
     curves: Vec<Curve>,
     first_contact: Option<f64>,
+    /// Whether the run was seen in one state only.
+    is_still: bool,
 }
 
 /// A quantity that must stay on one side of a bound, at each of some times.
@@ -54,6 +56,7 @@ impl Judging {
         });
         let sensing = groups.iter().any(|group| group.sensing.is_some());
         judging.first_contact = run.first_contact;
+        judging.is_still = run.observations.len() < 2;
         judging.suppose("nothing limits the forces", !limited);
         judging.suppose("agents perceive without limits or errors", !sensing);
         judging
@@ -224,12 +227,21 @@ impl Judging {
         let last = values.last().copied().unwrap_or(0.0);
         let reason = format!(
             "{name} {what}: {} at the end, {} of its largest left in the last half, there \
-             falling at a rate of {}",
+             {} at a rate of {}",
             brief(last),
             brief(trend.left),
-            brief(trend.rate)
+            if trend.rate < 0.0 {
+                "rising"
+            } else {
+                "falling"
+            },
+            brief(trend.rate.abs())
         );
-        self.trend(trend, 1.0 - trend.left, times, reason);
+        let margin = match trend.seen {
+            Some(false) => -trend.left,
+            _ => 1.0 - trend.left,
+        };
+        self.trend(trend, margin, times, reason);
         self.plot(name, times, values);
     }
 
@@ -239,7 +251,7 @@ impl Judging {
         let what = match trend.seen {
             Some(true) => "stays bounded",
             Some(false) => "grows on and on",
-            None => "still grows a little",
+            None => "has not been seen for long enough to tell",
         };
         let reason = format!(
             "{name} {what}: its largest value is {} times that of the first half",
@@ -282,9 +294,23 @@ impl Judging {
                 let reason = format!("not met: {}", unmet.statement);
                 (Verdict::HypothesisNotMet, unmet.margin, None, reason)
             }
-            (None, None) => {
-                let reason = "nothing was seen to judge by".to_owned();
-                (Verdict::Undecided, None, None, reason)
+            (None, None) => match self.first_contact {
+                Some(time) => {
+                    let reason = format!("bodies touch at time {}, before all else", brief(time));
+                    (Verdict::HypothesisNotMet, None, Some(time), reason)
+                }
+                None => {
+                    let reason = "nothing was seen to judge by".to_owned();
+                    (Verdict::Undecided, None, None, reason)
+                }
+            },
+            (None, Some(worst)) if self.is_still && worst.verdict == Verdict::Holds => {
+                let reason = "one state, in which nothing has moved yet, shows nothing";
+                let verdict = match self.first_contact {
+                    Some(_) => Verdict::HypothesisNotMet,
+                    None => Verdict::Undecided,
+                };
+                (verdict, None, self.first_contact, reason.to_owned())
             }
             (None, Some(worst)) => {
                 let touched = self

@@ -28,9 +28,11 @@ pub struct Run<'w, const D: usize> {
     pub first_contact: Option<f64>,
     /// The contacts, in the order in which they began.
     pub contacts: Vec<Contact>,
-    /// The two agents that came closest of all, over all steps, contacts included. Nothing
+    /// The two agents that came closest of all, over all steps up to the first contact. Nothing
     /// where there is one agent.
     pub closest: Option<Closest>,
+    /// The same over the steps after the first contact.
+    pub closest_after_contact: Option<Closest>,
     /// Runs of variations of the world, by the name of the claim that asked for them.
     pub companions: BTreeMap<&'static str, Vec<(World<D>, Vec<Observation<D>>)>>,
 }
@@ -100,6 +102,7 @@ impl<'w, const D: usize> Run<'w, D> {
             first_contact: None,
             contacts: Vec::new(),
             closest: None,
+            closest_after_contact: None,
             companions: BTreeMap::new(),
         };
         for seen in &run.observations {

@@ -17,30 +17,40 @@ pub fn contact_report<const D: usize>(
     points_apart: Option<f64>,
 ) -> ContactReport {
     let radius = 0.5 * largest_sum(&bodies.world.agents.radius);
-    let touched = bodies.contacts.iter().any(|it| it.with == Partner::Agent);
+    // What comes after a contact with an obstacle, no theorem on agents alone speaks of.
+    let first = bodies.contacts.first().map(|it| it.with);
     let exclusions = claims.iter().filter_map(|claim| {
         let exclusion = claim.exclusion(bodies)?;
+        if exclusion.distance <= 0.0 {
+            return None;
+        }
         let excluded = 2.0 * radius < exclusion.distance;
         Some(ExclusionReport {
             claim: claim.about().name.to_owned(),
             formula: exclusion.formula.to_owned(),
             distance: exclusion.distance,
             radius: 0.5 * exclusion.distance,
-            outcome: match (excluded, touched) {
-                (true, false) => ContactOutcome::ExcludedAndNoneSeen,
-                (true, true) => ContactOutcome::ExcludedYetSeen,
-                (false, true) => ContactOutcome::AllowedAndSeen,
-                (false, false) => ContactOutcome::AllowedAndNoneSeen,
+            outcome: match (excluded, first) {
+                (_, Some(Partner::Obstacle)) => ContactOutcome::ObstacleMetFirst,
+                (true, None) => ContactOutcome::ExcludedAndNoneSeen,
+                (true, Some(Partner::Agent)) => ContactOutcome::ExcludedYetSeen,
+                (false, Some(Partner::Agent)) => ContactOutcome::AllowedAndSeen,
+                (false, None) => ContactOutcome::AllowedAndNoneSeen,
             },
         })
     });
-    let half_least = |run: &Run<'_, D>| run.closest.map(|it| 0.5 * it.distance);
+    let half_least = |run: &Run<'_, D>| {
+        let both = [run.closest, run.closest_after_contact];
+        let distances = both.into_iter().flatten().map(|it| 0.5 * it.distance);
+        distances.min_by(f64::total_cmp)
+    };
+    let touched = bodies.contacts.iter().any(|it| it.with == Partner::Agent);
     ContactReport {
         radius,
         exclusions: exclusions.collect(),
         points_radius: points.and_then(half_least),
-        bodies_radius: half_least(bodies),
-        first: (bodies.contacts.first()).map(|it| first(it, bodies, points_apart)),
+        bodies_radius: half_least(bodies).filter(|_| !touched),
+        first: (bodies.contacts.first()).map(|it| first_contact(it, bodies, points_apart)),
         departure: points.map(|points| departure(bodies, points)),
     }
 }
@@ -61,7 +71,7 @@ fn largest_sum(radii: &[f64]) -> f64 {
     }
 }
 
-fn first<const D: usize>(
+fn first_contact<const D: usize>(
     contact: &Contact,
     bodies: &Run<'_, D>,
     points_apart: Option<f64>,

@@ -63,7 +63,11 @@ where
     let mut contacts = Vec::new();
     loop {
         let state = simulation.snapshot();
-        run.closest = closer(run.closest, state.time, state.positions);
+        let closest = match run.first_contact {
+            None => &mut run.closest,
+            Some(_) => &mut run.closest_after_contact,
+        };
+        *closest = closer(*closest, state.time, state.positions);
         let over = state.step >= world.steps();
         if over || state.step.is_multiple_of(world.frame_steps()) {
             let (x, v) = (state.positions.to_vec(), state.velocities.to_vec());

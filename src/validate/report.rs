@@ -75,7 +75,7 @@ pub struct RunReport {
 pub struct ClosestReport {
     /// The agents.
     pub agents: [usize; 2],
-    /// Distance between their positions, over all steps.
+    /// Distance between their positions, over all steps up to the first contact.
     pub distance: f64,
     /// The time.
     pub time: f64,
@@ -120,7 +120,8 @@ pub struct ContactReport {
     /// The largest radius at which the points, had they been bodies, would not have touched:
     /// half of their least distance. Null without a run as points, or for one agent.
     pub points_radius: Option<f64>,
-    /// The same of the bodies' centres.
+    /// The same of the bodies' centres; null where bodies touched, and so were kept apart by
+    /// their size.
     pub bodies_radius: Option<f64>,
     /// The first contact; null without one.
     pub first: Option<FirstContact>,
@@ -155,6 +156,8 @@ pub enum ContactOutcome {
     AllowedAndSeen,
     /// Theory allows contacts, and none is seen.
     AllowedAndNoneSeen,
+    /// An agent met an obstacle first, of which theory does not speak.
+    ObstacleMetFirst,
 }
 
 /// The first contact of a run.

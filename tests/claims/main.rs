@@ -9,7 +9,7 @@ mod runs;
 mod shi_wang_chu;
 mod song_2013;
 
-use volary::claim::abouts;
+use volary::claim::{Reading, Verdict, abouts};
 
 /// The tests of all papers.
 const TESTS: [&str; 7] = [
@@ -55,5 +55,37 @@ fn names_are_unique_and_texts_are_whole() {
             about.tolerance,
         ];
         assert!(texts.iter().all(|text| text.len() > 3), "{}", about.name);
+    }
+}
+
+/// Nothing that is said of motion is seen in one state; what holds there is said of states.
+#[test]
+fn one_state_satisfies_no_claim_on_motion() {
+    for name in [
+        "djokam-rathinam/friction",
+        "li-liu-wu/theorem-3-1",
+        "olfati-saber-2003/smooth-flock",
+        "shi-wang-chu/ideal",
+        "song-2013/example-18",
+        "song-2013/example-19",
+    ] {
+        let world = runs::plane(name, &["time.end=0"]);
+        let run = runs::points(&world);
+        assert_eq!(run.observations.len(), 1);
+        for claim in volary::claim::claims::<2>() {
+            let Some(finding) = claim.judge(&run) else {
+                continue;
+            };
+            let (about, verdict) = (claim.about(), finding.verdict);
+            let claim = about.name;
+            // The bound of a law holds in every state by itself.
+            let of_law = claim == "djokam-rathinam/acceleration-bound";
+            assert!(of_law || verdict != Verdict::Holds, "{claim} in {name}");
+            let misprinted = about.reading == Reading::Misprinted;
+            assert!(
+                misprinted || verdict != Verdict::Violated,
+                "{claim} in {name}: {finding:?}"
+            );
+        }
     }
 }

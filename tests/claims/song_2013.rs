@@ -322,7 +322,7 @@ fn other_models_are_none_of_the_theorems_business() {
         "laws[0].alignment.kernel.cucker_smale.strength=0",
         "laws[1].pair_potential.potential.bond.stiffness=0",
         "physics.gravity=[0,-1]",
-        "agents[0].sensing.delay=0.1",
+        "agents[0].sensing.radius=5",
         "agents[0].force_limit=3",
         "obstacles=[{\"shape\":{\"ball\":{\"radius\":1}},\"position\":[90,0]}]",
         "laws[2].pair_potential.potential.gaussian.height=100",

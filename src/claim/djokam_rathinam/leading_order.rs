@@ -103,8 +103,8 @@ impl<const D: usize> Claim<D> for LeadingOrder {
             let least = family.iter().map(|it| it.epsilon);
             let least = least.fold(f64::INFINITY, f64::min);
             // Bodies come to agree in the first step, and are off by its size from then on.
-            let fine = step <= 10.0 * least * (1.0 + 1e-9);
-            judging.suppose("the step of bodies is at most ten times the least ε", fine);
+            let fine = step <= 0.1 * least * (1.0 + 1e-9);
+            judging.suppose("the step of bodies is at most a tenth of the least ε", fine);
         }
         let Some(family) = family.filter(|_| judging.is_supposed()) else {
             return Some(judging.finding());

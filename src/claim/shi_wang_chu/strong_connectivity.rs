@@ -28,6 +28,7 @@ impl<const D: usize> Claim<D> for StrongConnectivity {
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let model = Model::of(run)?;
         let mut judging = Judging::new(run).despite_contacts();
+        judging.suppose("there are two agents or more", run.world.agents.len() > 1);
         model.suppose_balance(&mut judging);
         model.suppose_connection(&mut judging);
         let connectivity = run.series(|seen| {

@@ -43,6 +43,9 @@ pub(super) fn outcome(outcome: ContactOutcome) -> &'static str {
         }
         ContactOutcome::AllowedAndSeen => "theory allows contacts, and some are seen",
         ContactOutcome::AllowedAndNoneSeen => "theory allows contacts, and none is seen",
+        ContactOutcome::ObstacleMetFirst => {
+            "an obstacle was met first, of which theory says nothing"
+        }
     }
 }
 
