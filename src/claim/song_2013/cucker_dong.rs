@@ -51,6 +51,7 @@ const SHARPENED: About = About {
 
 const CONSENSUS: About = About {
     name: "song-2013/cucker-dong-velocity-consensus",
+    reading: Reading::Corrected,
     statement: "Where β ≤ 1/2 and all |x_i(0) − x_j(0)| > √d0, velocities tend to a common one.",
     hypotheses: CORRECTED.hypotheses,
     measured: "d_V(t), the largest difference of two velocities.",
