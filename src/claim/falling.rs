@@ -54,20 +54,23 @@ impl Judging {
     }
 
     /// The conclusion that a quantity at each time is at most the least that it has been before,
-    /// each value being off by no more than its slack. Margins are shares of what it falls by.
+    /// each value being off by no more than its slack and 1e-13 of the largest of all, by which sums
+    /// are rounded that were of that size. Margins are shares of what it falls by.
     ///
     /// Of one value there is nothing to conclude.
     pub fn never_rises(&mut self, name: &str, times: &[f64], values: &[f64], slack: &[f64]) {
         if values.len() < 2 {
             return;
         }
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let rounded = 1e-13 * most.abs();
+        let slack: Vec<f64> = slack.iter().map(|slack| slack + rounded).collect();
         let mut least = f64::INFINITY;
-        let bounds = values.iter().zip(slack).map(|(value, slack)| {
+        let bounds = values.iter().zip(&slack).map(|(value, slack)| {
             let bound = least.min(*value + slack);
             std::mem::replace(&mut least, bound)
         });
         let bounds: Vec<f64> = bounds.collect();
-        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         // Nothing was before the first one.
         self.bound(Bound {
             name,
