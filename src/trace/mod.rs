@@ -17,6 +17,7 @@
 //! #     version: VERSION,
 //! #     program: "an example".into(),
 //! #     dynamics: "bodies".into(),
+//! #     solver: None,
 //! #     name: "one agent".into(),
 //! #     world: serde_json::from_str(
 //! #         r#"{"dimension": 2, "time": {"end": 1}, "agents": []}"#,
