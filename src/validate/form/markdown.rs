@@ -5,10 +5,9 @@ use super::overview::{self, CONTACT_COLUMNS, CONTACT_LEGEND, ClaimRow};
 use super::reasons::{reasons, standing};
 use super::silent::{is_silent, silent};
 use super::tally::Tally;
-use super::words::{
-    DYNAMICS, closest, contacts, digits, dynamics, number, on, plural, reading, verdict,
-};
+use super::words::{DYNAMICS, closest, contacts, dynamics, number, on, plural, reading, verdict};
 use crate::claim::Verdict;
+use crate::math::digits;
 use crate::validate::report::{ClaimReport, JudgedRun, Report, WorldReport};
 
 /// A report as a Markdown document: the overview over all worlds, then each world with what
@@ -40,8 +39,12 @@ fn overview(report: &Report) -> String {
         "violated in",
     ]);
     out += &rule(6);
-    for claim in overview::claims(report) {
+    let (claims, unmet) = overview::claims(report);
+    for claim in claims {
         out += &overview_row(&claim);
+    }
+    if let Some(unmet) = unmet {
+        out += &format!("\n{}\n", escape(&unmet));
     }
     let contacts = overview::contact_rows(report);
     if !contacts.is_empty() {

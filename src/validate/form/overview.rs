@@ -38,8 +38,17 @@ impl Place<'_> {
     }
 }
 
-/// What all claims came to, in the order in which the program lists them.
-pub(super) fn claims(report: &Report) -> Vec<ClaimRow<'_>> {
+/// What all claims came to that say something somewhere, in the order in which the program lists
+/// them; and the names of the others, if any, as a sentence.
+pub(super) fn claims(report: &Report) -> (Vec<ClaimRow<'_>>, Option<String>) {
+    let silent = |row: &ClaimRow| row.tallies.iter().all(Tally::is_silent);
+    let (silent, spoken): (Vec<_>, Vec<_>) = all(report).into_iter().partition(silent);
+    let names: Vec<_> = silent.iter().map(|row| row.claim).collect();
+    let sentence = (!names.is_empty()).then(|| format!("Met in no world: {}.", names.join(", ")));
+    (spoken, sentence)
+}
+
+fn all(report: &Report) -> Vec<ClaimRow<'_>> {
     let mut rows: Vec<ClaimRow> = Vec::new();
     for (w, world) in report.worlds.iter().enumerate() {
         for (c, claim) in world.claims.iter().enumerate() {

@@ -90,8 +90,11 @@ impl Axes {
         if first >= last {
             return None;
         }
-        // Sizes whose differences are numbers.
-        let within = |(_, value): (f64, f64)| value.clamp(-1e300, 1e300);
+        // Sizes whose differences are numbers; the least above 0 means "above 0", and is 0 here.
+        let within = |(_, value): (f64, f64)| match value.abs() > f64::MIN_POSITIVE {
+            true => value.clamp(-1e300, 1e300),
+            false => 0.0,
+        };
         let values: Vec<f64> = plot
             .lines
             .iter()

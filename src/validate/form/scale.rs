@@ -1,6 +1,6 @@
 //! Axes: which kind the data ask for, where a value stands, and what the ticks say.
 
-use super::words::digits;
+use crate::math::digits;
 
 /// Above this ratio of the largest to the least of positive numbers an axis is logarithmic.
 const WIDE: f64 = 1e3;

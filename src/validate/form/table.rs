@@ -7,9 +7,9 @@ use super::reasons::reasons;
 use super::silent::{is_silent, silent};
 use super::tally::Tally;
 use super::words::{
-    DYNAMICS, WIDTH, closest, contacts, digits, dynamics, number, on, paper, plural, reading,
-    verdict, wrap,
+    DYNAMICS, WIDTH, closest, contacts, dynamics, number, on, paper, plural, reading, verdict, wrap,
 };
+use crate::math::digits;
 use crate::validate::report::{ClaimReport, ContactReport, Report, WorldReport};
 use crate::world::spec::DynamicsName;
 
@@ -138,7 +138,7 @@ fn overview(report: &Report) -> String {
         plural(report.worlds.len(), "world"),
         "─".repeat(WIDTH)
     );
-    let rows = overview::claims(report);
+    let (rows, unmet) = overview::claims(report);
     let heading = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
     let counts = "holds viol. unmet undec.";
     let mut cells = vec![
@@ -160,6 +160,9 @@ fn overview(report: &Report) -> String {
             let names: Vec<_> = names.collect();
             out += &wrap("        violated in ", 10, &names.join(", "));
         }
+    }
+    if let Some(unmet) = unmet {
+        out += &wrap("  ", 4, &unmet);
     }
     let contacts = overview::contact_rows(report);
     if !contacts.is_empty() {

@@ -26,6 +26,15 @@ impl Tally {
         claims.flat_map(|it| &it.findings).map(Self::from).sum()
     }
 
+    /// Whether nothing was found but hypotheses that are not met, as was to be expected.
+    pub(super) fn is_silent(&self) -> bool {
+        let unmet = Self {
+            unmet: self.unmet,
+            ..Self::default()
+        };
+        *self == unmet
+    }
+
     pub(super) fn findings(self) -> usize {
         self.holds + self.violated + self.unmet + self.undecided
     }

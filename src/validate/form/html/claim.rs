@@ -3,9 +3,10 @@
 use super::super::figures;
 use super::super::markup::{element, escape, row, table};
 use super::super::reasons::standing;
-use super::super::words::{self, DYNAMICS, digits, dynamics, number, on, reading};
+use super::super::words::{self, DYNAMICS, dynamics, number, on, reading};
 use super::world::figure;
 use crate::claim::{Finding, Hypothesis, Verdict};
+use crate::math::digits;
 use crate::validate::report::{ClaimReport, JudgedRun, WorldReport};
 
 /// A verdict with its margin, and a word where it is not as expected.

@@ -63,10 +63,14 @@ fn link(id: &str, text: &str) -> String {
 }
 
 fn overview(report: &Report) -> String {
-    let rows: String = overview::claims(report).iter().map(overview_row).collect();
+    let (claims, unmet) = overview::claims(report);
+    let rows: String = claims.iter().map(overview_row).collect();
     let headings = ["claim", "reading", "as points", "as bodies", "violated in"];
     let caption = "In how many worlds each claim came to what";
     let mut out = element("h2", "Claims") + &table(caption, &headings, &rows);
+    if let Some(unmet) = unmet {
+        out += &element("p", &unmet);
+    }
     let contacts = overview::contact_rows(report).into_iter();
     let rows: String = contacts
         .map(|(w, world, cells)| {

@@ -4,10 +4,11 @@ use super::super::contact;
 use super::super::figures;
 use super::super::markup::{element, escape, row, table};
 use super::super::plot;
+use super::super::silent::is_silent;
 use super::super::words::{DYNAMICS, closest, contacts, dynamics, number, on, plural, reading};
 use super::claim::{details, verdict};
 use super::{claim_id, link};
-use crate::validate::report::{ContactReport, WorldReport};
+use crate::validate::report::{ClaimReport, ContactReport, WorldReport};
 
 /// A world: its runs, its claims, what bodies change, and each claim with all that was found.
 pub(super) fn section(world: &WorldReport, id: &str) -> String {
@@ -27,11 +28,25 @@ pub(super) fn section(world: &WorldReport, id: &str) -> String {
     if let Some(contact) = &world.contact {
         out += &bodies_against_points(world, contact, id);
     }
-    if !world.claims.is_empty() {
+    let claims = world.claims.iter().enumerate();
+    let (silent, spoken): (Vec<_>, Vec<_>) = claims.partition(|(_, claim)| is_silent(claim));
+    let each = |claims: Vec<(usize, &ClaimReport)>| -> String {
+        let claims = claims.into_iter();
+        claims
+            .map(|(c, claim)| details(world, claim, &claim_id(id, c)))
+            .collect()
+    };
+    if !spoken.is_empty() {
         out += &element("h3", "Each claim");
     }
-    for (c, claim) in world.claims.iter().enumerate() {
-        out += &details(world, claim, &claim_id(id, c));
+    out += &each(spoken);
+    if !silent.is_empty() {
+        let summary = format!("Claims that say nothing of this world: {}", silent.len());
+        out += &format!(
+            "<details>\n{}\n{}</details>\n",
+            element("summary", &summary),
+            each(silent)
+        );
     }
     out + "</section>\n"
 }
@@ -54,7 +69,12 @@ fn claims(world: &WorldReport, id: &str) -> String {
     if world.claims.is_empty() {
         return element("p", "No claim has anything to say of this world.");
     }
-    let rows = world.claims.iter().enumerate().map(|(c, claim)| {
+    if world.claims.iter().all(is_silent) {
+        return String::new();
+    }
+    let spoken = world.claims.iter().enumerate();
+    let spoken = spoken.filter(|(_, claim)| !is_silent(claim));
+    let rows = spoken.map(|(c, claim)| {
         let mut cells = vec![
             link(&claim_id(id, c), &claim.claim),
             reading(claim.reading).to_owned(),
