@@ -1,6 +1,6 @@
 //! What the laws' own quantities are in a state.
 
-use crate::law::{Flock, State, Targets};
+use crate::law::{Flock, Pulls, State, Targets};
 use crate::math::{Potential, Vector, mean};
 use crate::metric::{
     Influences, ball_residual, center_of_mass, computable, diameter, kinetic_energy,
@@ -11,20 +11,39 @@ use crate::trace::record::{InfluenceRecord, LawRecord, LawsRecord};
 use crate::world::spec::{LawSpec, PairPotentialSpec, ScopeSpec, Share, acts_on};
 use crate::world::{World, vector};
 
-/// What the laws of a world, whose `flock` this is, are about in a state.
+/// What each law of a flock asks for in a state.
+pub struct Terms<const D: usize> {
+    /// The name of each law, and the accelerations that it alone gives.
+    pub by_law: Vec<(String, Vec<Vector<D>>)>,
+    /// The pulls of each law; empty for those that have none.
+    pub pulls: Vec<Pulls<D>>,
+}
+
+impl<const D: usize> Terms<D> {
+    /// What the laws of `flock` ask for.
+    pub fn new(flock: &mut Flock<D>, state: &State<'_, D>) -> Self {
+        Self {
+            by_law: flock.by_law(state),
+            pulls: (0..flock.laws().len())
+                .map(|law| flock.pulls_of_law(law, state))
+                .collect(),
+        }
+    }
+}
+
+/// What the laws of a world, which ask for these `terms`, are about in a state.
 ///
 /// Quadratic in the number of agents; cubic where a law aligns velocities.
 pub fn laws_record<const D: usize>(
     world: &World<D>,
-    flock: &mut Flock<D>,
+    terms: &Terms<D>,
     state: &State<'_, D>,
 ) -> LawsRecord {
-    let by_law = flock.by_law(state);
     let mut steering = vec![Vector::zeros(); state.positions.len()];
     let mut potential = 0.0;
     let mut laws = Vec::new();
     for (index, (scope, law)) in world.laws().enumerate() {
-        let (name, accelerations) = &by_law[index];
+        let (name, accelerations) = &terms.by_law[index];
         if is_steering(law) {
             for (sum, acceleration) in steering.iter_mut().zip(accelerations) {
                 *sum += acceleration;
@@ -39,10 +58,10 @@ pub fn laws_record<const D: usize>(
             record.potential = computable(value);
             potential += value;
         }
-        let pulls = flock.pulls_of_law(index, state);
+        let pulls = &terms.pulls[index];
         if !pulls.is_empty() {
             let theta = world.spec.record.active_at;
-            record.influence = Some(influence(&Influences::new(&pulls), theta));
+            record.influence = Some(influence(&Influences::new(pulls), theta));
         }
         laws.push(record);
     }

@@ -23,7 +23,7 @@ pub use energy::{center_of_mass, kinetic_energy, largest_kinetic_energy, relativ
 pub use gap::{agent_gap, obstacle_gap};
 pub use influence::Influences;
 pub use lattice::{deviation_energy, union};
-pub use laws::laws_record;
+pub use laws::{Terms, laws_record};
 pub use ledger::Ledger;
 pub use milling::{milling, rotation};
 pub use net_record::NetAnalysis;

@@ -2,9 +2,9 @@
 
 use nalgebra::DMatrix;
 
-use crate::law::Field;
+use crate::law::{Field, Pulls};
 use crate::math::Vector;
-use crate::metric::{Influences, laws_record};
+use crate::metric::{Influences, Terms, laws_record};
 use crate::trace::record::LawsRecord;
 
 /// A state of a world's agents, with what the laws make of it. What is derived is worked out
@@ -54,29 +54,11 @@ impl<const D: usize> Observation<D> {
     ) -> Self {
         let world = field.world();
         let (flock, state) = field.at(time, &positions, &velocities);
-        let by_law: Vec<_> = flock.by_law(&state).into_iter().map(|it| it.1).collect();
-        let laws = laws_record(world, flock, &state);
-        let mut alignments = Vec::with_capacity(by_law.len());
-        for law in 0..by_law.len() {
-            let pulls = flock.pulls_of_law(law, &state);
-            alignments.push((!pulls.is_empty()).then(|| {
-                let mut rows: Vec<_> = pulls.rows().iter().collect();
-                rows.sort_by_key(|row| row.agent);
-                let drives: Vec<_> = rows
-                    .iter()
-                    .map(|row| pulls.drive(row, &velocities))
-                    .collect();
-                let gains = rows
-                    .iter()
-                    .zip(&drives)
-                    .map(|(row, u)| row.gain.at(u.norm()));
-                Aligned {
-                    influences: Influences::new(&pulls),
-                    gains: gains.collect(),
-                    drives,
-                }
-            }));
-        }
+        let terms = Terms::new(flock, &state);
+        let laws = laws_record(world, &terms, &state);
+        let aligned = |pulls| Aligned::new(pulls, &velocities);
+        let alignments = terms.pulls.iter().map(aligned).collect();
+        let by_law: Vec<_> = terms.by_law.into_iter().map(|(_, it)| it).collect();
         let mut accelerations = vec![world.gravity; positions.len()];
         for of_law in &by_law {
             for (sum, term) in accelerations.iter_mut().zip(of_law) {
@@ -110,6 +92,21 @@ impl<const D: usize> Observation<D> {
 }
 
 impl<const D: usize> Aligned<D> {
+    /// From the pulls of a law; nothing where it has none.
+    fn new(pulls: &Pulls<D>, velocities: &[Vector<D>]) -> Option<Self> {
+        let mut rows: Vec<_> = pulls.rows().iter().collect();
+        rows.sort_by_key(|row| row.agent);
+        let drives = rows.iter().map(|row| pulls.drive(row, velocities));
+        let drives: Vec<_> = drives.collect();
+        let gains = rows.iter().zip(&drives);
+        let gains = gains.map(|(row, u)| row.gain.at(u.norm())).collect();
+        (!pulls.is_empty()).then(|| Self {
+            influences: Influences::new(pulls),
+            gains,
+            drives,
+        })
+    }
+
     /// The influences as a matrix, the row of agent i holding what influences it.
     pub fn matrix(&self) -> &DMatrix<f64> {
         self.influences.matrix()

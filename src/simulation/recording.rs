@@ -3,7 +3,7 @@
 use super::{Pause, Simulation};
 use crate::dynamics::Snapshot;
 use crate::math::Vector;
-use crate::metric::{laws_record, measure};
+use crate::metric::{Terms, laws_record, measure};
 use crate::net::Net;
 use crate::sense::active_obstacles;
 use crate::shape::Obstacle;
@@ -85,7 +85,10 @@ impl<const D: usize> Simulation<D> {
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.agents.state())),
             laws: (world.spec.record.laws)
-                .then(|| laws_record(world, &mut self.flock, &self.agents.state()))
+                .then(|| {
+                    let state = self.agents.state();
+                    laws_record(world, &Terms::new(&mut self.flock, &state), &state)
+                })
                 .map(Box::new),
             blocked: (world.spec.record.blocked).then(|| self.flock.blocked(&self.agents.state())),
             obstacles: obstacle_poses(state.obstacles),

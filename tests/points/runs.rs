@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use volary::checkpoint::Checkpoint;
 use volary::dynamics::{Accuracy, Dynamics, Failure};
 use volary::law::{Flock, State};
-use volary::metric::laws_record;
+use volary::metric::{Terms, laws_record};
 use volary::simulation::Simulation;
 use volary::trace::record::LawsRecord;
 use volary::world::World;
@@ -30,7 +30,7 @@ fn energies(simulation: &Simulation<2>, flock: &mut Flock<2>) -> LawsRecord {
         rotations: &[],
         obstacles: now.obstacles,
     };
-    laws_record(world, flock, &state)
+    laws_record(world, &Terms::new(flock, &state), &state)
 }
 
 /// The energies that theory says never rise do not, but for 1e-10 of what they are at the
