@@ -2,6 +2,9 @@
 
 use super::limit::{Trend, bounded, vanishes};
 use super::{Curve, Finding, Hypothesis, Quantity, Run, Side, Verdict};
+use crate::math::digits;
+use crate::world::World;
+use crate::world::spec::SensingSpec;
 
 /// A finding in the making. Hypotheses and conclusions are added one by one; a claim holds
 /// where all of its hypotheses are met and all of its conclusions hold.
@@ -48,30 +51,26 @@ impl Judging {
     /// Nothing as yet, of a run but that its agents can do what their laws ask of them, and
     /// know what these need.
     pub fn new<const D: usize>(run: &Run<'_, D>) -> Self {
-        let mut judging = Self::of_law();
-        let groups = &run.world.spec.agents;
-        let limited = groups.iter().any(|group| {
-            let limits = [group.force_limit, group.force_rate_limit, group.top_speed];
-            limits.iter().any(Option::is_some)
-        });
-        let sensing = groups.iter().any(|group| group.sensing.is_some());
+        let mut judging = Self::of_states();
         judging.first_contact = run.first_contact;
         judging.is_still = run.observations.len() < 2;
-        judging.suppose("nothing limits the forces", !limited);
-        judging.suppose("agents perceive without limits or errors", !sensing);
+        judging.suppose("nothing limits the forces", is_unlimited(run.world));
+        judging.suppose_perception(run.world);
         judging
     }
 
-    /// Nothing as yet, of a claim on what a law asks for, whatever comes of it: limits of
-    /// forces, senses and contacts between bodies have no part in it.
-    pub fn of_law() -> Self {
+    /// Nothing as yet, of a claim on what holds in each state by itself, whatever comes of it:
+    /// limits of forces and contacts between bodies have no part in it, and one state is enough.
+    pub fn of_states() -> Self {
         Self::default()
     }
 
-    /// The same for a claim that contacts between bodies have no part in.
-    pub fn despite_contacts(mut self) -> Self {
-        self.first_contact = None;
-        self
+    /// The hypothesis that agents perceive each other as they are.
+    pub fn suppose_perception<const D: usize>(&mut self, world: &World<D>) {
+        let plain = SensingSpec::default();
+        let mut groups = world.spec.agents.iter();
+        let plain = groups.all(|group| group.sensing.as_ref().is_none_or(|it| *it == plain));
+        self.suppose("agents perceive without limits or errors", plain);
     }
 
     /// A hypothesis that is met or not.
@@ -352,6 +351,14 @@ impl Judging {
     }
 }
 
+/// Whether forces, their rates and speeds have no limits.
+fn is_unlimited<const D: usize>(world: &World<D>) -> bool {
+    world.spec.agents.iter().all(|group| {
+        let limits = [group.force_limit, group.force_rate_limit, group.top_speed];
+        limits.iter().all(Option::is_none)
+    })
+}
+
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
@@ -362,21 +369,5 @@ fn share(part: f64, of: f64) -> Option<f64> {
 
 /// A number in a sentence: five digits.
 pub(super) fn brief(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0".to_owned(),
-        1e-3..1e6 => {
-            let text = format!("{value:.*}", digits(value));
-            match text.contains('.') {
-                true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-                false => text,
-            }
-        }
-        _ => format!("{value:.3e}"),
-    }
-}
-
-/// Decimals that show five digits.
-fn digits(value: f64) -> usize {
-    let before = value.abs().log10().floor() as i32;
-    (4 - before).clamp(0, 8) as usize
+    digits(value, 5)
 }

@@ -3,31 +3,13 @@
 
 use super::Judging;
 use crate::world::World;
-use crate::world::spec::{
-    ActsAs, AlignmentSpec, GainSpec, KernelSpec, NormalisationSpec, SensingSpec, Values,
-};
+use crate::world::spec::{ActsAs, AlignmentSpec, GainSpec, KernelSpec, NormalisationSpec, Values};
 
-/// Supposes that there is nothing but agents that perceive each other as they are, and whose
-/// forces are not limited.
+/// Supposes that there is nothing but agents, and that their laws are for all alike.
 pub(super) fn suppose_undisturbed<const D: usize>(judging: &mut Judging, world: &World<D>) {
-    let groups = &world.spec.agents;
     judging.suppose(
         "there are no obstacles, and there is no gravity",
         world.obstacles.is_empty() && world.gravity.norm_squared() == 0.0,
-    );
-    let plain = SensingSpec::default();
-    judging.suppose(
-        "everyone perceives all others as they are",
-        groups
-            .iter()
-            .all(|group| group.sensing.as_ref().is_none_or(|it| *it == plain)),
-    );
-    judging.suppose(
-        "forces and speeds are not limited",
-        groups.iter().all(|group| {
-            let limits = [group.force_limit, group.force_rate_limit, group.top_speed];
-            limits.iter().all(Option::is_none)
-        }),
     );
     judging.suppose(
         "the laws are for all agents alike, without scopes",

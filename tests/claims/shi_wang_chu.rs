@@ -186,6 +186,20 @@ fn the_printed_rate_fails_where_masses_differ_and_the_corrected_one_never() {
 }
 
 #[test]
+fn a_pair_at_its_minimum_is_not_moved_from_it_by_rounding() {
+    let set = [
+        "agents[0].count=2",
+        "agents[0].mass=[1e-3,1e3]",
+        "agents[0].positions={\"explicit\":[[0,0],[2.23606797749979,0]]}",
+        "agents[0].velocities={\"common\":[30,40]}",
+        "laws[0].alignment.graph={\"complete\":{\"weight\":0.3}}",
+        "time.end=20",
+    ];
+    let world = plane("shi-wang-chu/two-minima", &set);
+    holds("shi-wang-chu/critical-point-corrected", &points(&world));
+}
+
+#[test]
 fn two_seeds_end_in_two_minima_and_only_one_of_them_is_the_lowest() {
     let set = &["record.every=1"];
     let world = plane("shi-wang-chu/two-minima", set);

@@ -30,7 +30,7 @@ impl<const D: usize> Claim<D> for AccelerationBound {
             _ => None,
         });
         let (index, scope, law) = aligning.next()?;
-        let mut judging = Judging::of_law();
+        let mut judging = Judging::of_states();
         let GainSpec::Varying(VaryingGainSpec::Bounded { bound, .. }) = &law.gain else {
             judging.suppose("the gain is bounded as in (2.3)", false);
             return Some(judging.finding());

@@ -1,6 +1,6 @@
 //! The model with friction, (2.8), as a world has it.
 
-use super::model::{suppose_others, suppose_plain};
+use super::model::suppose_others;
 use crate::claim::{Judging, Run};
 use crate::math::Vector;
 use crate::metric::Observation;
@@ -46,7 +46,6 @@ impl Damped {
         });
         let weightless = run.world.gravity == Vector::<D>::zeros();
         judging.suppose("there is no gravity", weightless);
-        suppose_plain(judging, run);
         judging.suppose("r is the same for all agents", self.exponent.is_some());
         judging.suppose("c_i > 0 for all agents", self.least > 0.0);
         let moves = energy(run.start()) > 0.0;

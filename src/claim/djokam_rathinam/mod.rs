@@ -2,6 +2,7 @@
 
 mod acceleration_bound;
 mod closed_loop;
+mod common_influence;
 mod damped;
 mod existence;
 mod fast;
@@ -19,6 +20,7 @@ mod psi;
 mod ring;
 mod spread;
 mod velocity_diameter;
+mod velocity_hull;
 
 use super::Claim;
 use existence::Existence;
@@ -40,6 +42,8 @@ pub(super) fn claims<const D: usize>() -> Vec<Box<dyn Claim<D>>> {
         Box::new(Friction::DecayCorrected),
         Box::new(MillRing::Lemma),
         Box::new(MillRing::Sharpened),
+        Box::new(common_influence::CommonInfluence),
+        Box::new(velocity_hull::VelocityHull),
         Box::new(position_diameter::PositionDiameter),
         Box::new(VelocityDiameter::Theorem),
         Box::new(VelocityDiameter::Sharpened),

@@ -7,11 +7,11 @@
 
 use nalgebra::DMatrix;
 
-use crate::claim::{Judging, MovedBy, Run};
+use crate::claim::{Judging, Run};
 use crate::math::{Gain, Vector};
 use crate::metric::{Observation, diameter};
 use crate::world::spec::{
-    AlignmentSpec, GainSpec, LawSpec, NormalisationSpec, ScopeSpec, SensingSpec, VaryingGainSpec,
+    AlignmentSpec, GainSpec, LawSpec, NormalisationSpec, ScopeSpec, VaryingGainSpec,
 };
 
 /// The one alignment law of a run's world.
@@ -54,25 +54,6 @@ pub(super) fn suppose_others<const D: usize>(
     judging.suppose(statement, met);
 }
 
-/// Supposes that agents perceive without limits and errors, and move as the laws ask.
-pub(super) fn suppose_plain<const D: usize>(judging: &mut Judging, run: &Run<'_, D>) {
-    let plain = SensingSpec::default();
-    let mut groups = run.world.spec.agents.iter();
-    let plain = groups.all(|group| group.sensing.as_ref().is_none_or(|it| *it == plain));
-    judging.suppose("agents perceive without limits and errors", plain);
-    if let MovedBy::Bodies { .. } = run.moved_by {
-        let agents = &run.world.agents;
-        let limits = [
-            &agents.force_limit,
-            &agents.force_rate_limit,
-            &agents.top_speed,
-        ];
-        let mut limits = limits.into_iter().flatten();
-        let free = limits.all(|limit| limit.is_infinite());
-        judging.suppose("no actuator cuts what the laws ask for", free);
-    }
-}
-
 impl<'r, 'w, const D: usize> Model<'r, 'w, D> {
     /// Of the first alignment law; nothing without any.
     pub fn of(run: &'r Run<'w, D>) -> Option<Self> {
@@ -101,7 +82,7 @@ impl<'r, 'w, const D: usize> Model<'r, 'w, D> {
     pub fn suppose_steered(&self, judging: &mut Judging) {
         let statement = "besides alignment, only steering and gravity act";
         suppose_others(judging, self.run, statement, steers);
-        self.suppose_alignment(judging);
+        self.suppose_aligned(judging);
     }
 
     /// Supposes (2.6): this alignment of all agents, and nothing else.
@@ -109,10 +90,11 @@ impl<'r, 'w, const D: usize> Model<'r, 'w, D> {
         suppose_others(judging, self.run, "no law but alignment acts", |_| false);
         let weightless = self.run.world.gravity == Vector::<D>::zeros();
         judging.suppose("there is no gravity", weightless);
-        self.suppose_alignment(judging);
+        self.suppose_aligned(judging);
     }
 
-    fn suppose_alignment(&self, judging: &mut Judging) {
+    /// Supposes that one alignment law acts on all agents.
+    pub fn suppose_aligned(&self, judging: &mut Judging) {
         let aligns = |law: &LawSpec| matches!(law, LawSpec::Alignment(_));
         let laws = self.run.world.laws();
         let one = laws.filter(|(_, law)| aligns(law)).count() == 1;
@@ -120,7 +102,6 @@ impl<'r, 'w, const D: usize> Model<'r, 'w, D> {
         let acted_on = self.run.world.acted_on(self.scope);
         judging.suppose("all agents align", !acted_on.contains(&false));
         judging.suppose("there are two agents or more", acted_on.len() > 1);
-        suppose_plain(judging, self.run);
     }
 
     /// The number of agents, N.

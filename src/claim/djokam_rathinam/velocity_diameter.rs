@@ -144,7 +144,7 @@ pub(super) fn comes_together<const D: usize>(
 
 /// The largest value of a function of λ(θ) and θ over all θ > 0, where λ(θ) is the number of
 /// these influences that are at least θ: it is taken at one of them.
-fn strongest(mut influences: Vec<f64>, of: impl Fn(f64, f64) -> f64) -> f64 {
+pub(super) fn strongest(mut influences: Vec<f64>, of: impl Fn(f64, f64) -> f64) -> f64 {
     influences.sort_by(|a, b| b.total_cmp(a));
     let counts = influences.iter().zip(1..);
     let values = counts.map(|(theta, count)| of(f64::from(count), *theta));

@@ -52,7 +52,7 @@ impl<const D: usize> Claim<D> for Approximation {
 
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let model = Model::of(run)?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         let smooth = [
             AlphaProtocol::Smooth,
             AlphaProtocol::SmoothWeightedDamping,

@@ -34,7 +34,7 @@ impl<const D: usize> Claim<D> for Balanced {
             _ => None,
         });
         let range = ranges.next()?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         let radii = radii(world, range);
         judging.suppose(
             "the net is uniform: all radii are equal",

@@ -25,7 +25,7 @@ impl<const D: usize> Claim<D> for ControllerBounds {
 
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let law = navigation(run)?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         judging.suppose("the feedback is bounded", law.feedback == Feedback::Bounded);
         let position = law.destination.as_ref().map_or(0.0, |_| law.position_gain);
         let bound = position + law.velocity_gain;

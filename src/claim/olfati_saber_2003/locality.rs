@@ -29,7 +29,7 @@ impl<const D: usize> Claim<D> for Locality {
 
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let model = Model::of(run)?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         let smooth = [
             AlphaProtocol::Smooth,
             AlphaProtocol::SmoothWeightedDamping,
@@ -37,6 +37,7 @@ impl<const D: usize> Claim<D> for Locality {
         ];
         model.suppose_protocol(&mut judging, "one with smooth weights", &smooth);
         model.suppose(&mut judging, Others::Any);
+        judging.suppose_perception(run.world);
         let pairs = run.world.agents.len() * (run.world.agents.len().max(1) - 1) / 2;
         let mut nets = run.observations.iter().map(|seen| model.net(seen));
         judging.suppose(

@@ -4,7 +4,6 @@ use crate::claim::{Judging, Run};
 use crate::math::{AlphaPair, Bump, Fade, Vector, mean};
 use crate::metric::Observation;
 use crate::net::{Net, link_energy, potential_gradient, structural_energy, structural_potential};
-use crate::world::World;
 use crate::world::spec::{AlphaInteractionSpec, AlphaProtocol, LawSpec, Steered};
 
 /// A world's (α, α) interaction.
@@ -53,14 +52,6 @@ impl<'r, const D: usize> Model<'r, D> {
             "one protocol acts between all agents",
             alphas.next().is_some_and(|(scope, _)| scope.is_none()) && alphas.next().is_none(),
         );
-        judging.suppose(
-            "all agents see their neighbours as they are",
-            world
-                .spec
-                .agents
-                .iter()
-                .all(|group| group.sensing.is_none()),
-        );
         let still = world.gravity.norm() == 0.0;
         match others {
             Others::None => {
@@ -74,9 +65,8 @@ impl<'r, const D: usize> Model<'r, D> {
                 });
                 judging.suppose("other forces, if any, accelerate all agents alike", common);
             }
-            Others::Any => return,
+            Others::Any => {}
         }
-        judging.suppose("no actuator cuts a force", is_unlimited(world));
     }
 
     /// Supposes that the protocol is one of these.
@@ -167,15 +157,4 @@ impl<'r, const D: usize> Model<'r, D> {
 
 fn is_alpha(law: &LawSpec) -> bool {
     matches!(law, LawSpec::AlphaInteraction(_))
-}
-
-pub(super) fn is_unlimited<const D: usize>(world: &World<D>) -> bool {
-    let agents = &world.agents;
-    let limits = [
-        &agents.force_limit,
-        &agents.force_rate_limit,
-        &agents.top_speed,
-    ];
-    let mut limits = limits.into_iter().flatten();
-    limits.all(|limit| limit.is_infinite())
 }

@@ -28,7 +28,7 @@ impl<const D: usize> Claim<D> for ZeroPotential {
 
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let model = Model::of(run)?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         let (pair, h0) = (model.sharp(), model.link_energy());
         let values = run.series(|seen| model.potential(seen, &pair));
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);

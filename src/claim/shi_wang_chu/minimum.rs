@@ -62,7 +62,7 @@ fn slopes<const D: usize>(model: &Model<'_, D>) -> (Vec<f64>, f64) {
         let slopes = gradient(model.potential(), &seen.positions);
         slopes.iter().map(|g| g.norm()).fold(0.0, f64::max)
     });
-    let floor = run.acceleration_slack(run.last(), slopes[0]);
+    let floor = run.acceleration_slack(run.last(), model.largest_pull(run.last()));
     let heaviest = model.inertia.iter().copied().fold(0.0, f64::max);
     (slopes, floor * f64::max(heaviest, 1.0))
 }

@@ -7,7 +7,6 @@ use crate::claim::{Judging, Run};
 use crate::math::{Potential, Vector};
 use crate::metric::{Observation, center_of_mass, kinetic_energy};
 use crate::net::Adjacency;
-use crate::world::World;
 use crate::world::spec::{
     ActsAs, AlignmentSpec, GainSpec, GraphSpec, KernelSpec, LawSpec, PairPotentialSpec, Share,
 };
@@ -76,15 +75,6 @@ impl<'r, const D: usize> Model<'r, D> {
             matches!(force.potential, Potential::Logarithmic { attraction, .. } if attraction > 0.0),
         );
         judging.suppose("no other forces act", self.is_alone());
-        judging.suppose(
-            "all agents see all others as they are",
-            world
-                .spec
-                .agents
-                .iter()
-                .all(|group| group.sensing.is_none()),
-        );
-        judging.suppose("no actuator cuts a force", is_unlimited(world));
         let largest = damping_scale(world);
         match damping {
             Damping::None => judging.suppose(
@@ -185,6 +175,20 @@ impl<'r, const D: usize> Model<'r, D> {
         }
     }
 
+    /// The most by which others draw an agent in a state, Σ_j 2a/r_ij: the size of what cancels in
+    /// the forces on it.
+    pub fn largest_pull(&self, seen: &Observation<D>) -> f64 {
+        let Potential::Logarithmic { attraction, .. } = self.force.potential else {
+            return 0.0;
+        };
+        let pull = |x: &Vector<D>| -> f64 {
+            let distances = seen.positions.iter().map(|y| (x - y).norm());
+            let others = distances.filter(|distance| *distance > 0.0);
+            others.map(|distance| 2.0 * attraction / distance).sum()
+        };
+        seen.positions.iter().map(pull).fold(0.0, f64::max)
+    }
+
     /// Number of pairs.
     pub fn pairs(&self) -> f64 {
         let agents = self.inertia.len() as f64;
@@ -270,16 +274,4 @@ fn is_fixed(law: &AlignmentSpec) -> bool {
         && law.masking.is_none()
         && law.line_of_sight.is_none();
     constant && nobody_moves_it && !matches!(law.graph, Some(GraphSpec::OpenLoop(_)))
-}
-
-fn is_unlimited<const D: usize>(world: &World<D>) -> bool {
-    let agents = &world.agents;
-    let limits = [
-        &agents.force_limit,
-        &agents.force_rate_limit,
-        &agents.top_speed,
-    ];
-    limits
-        .iter()
-        .all(|limits| limits.iter().all(|limit| limit.is_infinite()))
 }

@@ -27,7 +27,7 @@ impl<const D: usize> Claim<D> for StrongConnectivity {
 
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let model = Model::of(run)?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         judging.suppose("there are two agents or more", run.world.agents.len() > 1);
         model.suppose_balance(&mut judging);
         model.suppose_connection(&mut judging);

@@ -32,7 +32,7 @@ impl<const D: usize> Claim<D> for Lemma9 {
             )
         };
         run.world.laws().find(|(_, law)| of_the_paper(law))?;
-        let mut judging = Judging::new(run).despite_contacts();
+        let mut judging = Judging::of_states();
         let seen = || run.observations.iter().chain(&run.after_contact);
         let times: Vec<f64> = seen().map(|seen| seen.time).collect();
         for (name, values) in [
