@@ -11,7 +11,7 @@ use volary::checkpoint::{Checkpoint, Recording};
 use volary::dynamics::Snapshot;
 use volary::simulation::{Pause, Simulation};
 use volary::trace::record::{Outcome, Record, Summary};
-use volary::trace::{TraceError, TraceWriter, write_summary};
+use volary::trace::{BackgroundWriter, TraceError, write_summary};
 
 use super::progress::Progress;
 use super::{Refusal, files, print, summary};
@@ -24,7 +24,7 @@ pub(super) struct Drive<'a, const D: usize> {
     /// Whether someone wants it to stop.
     pub(super) stop: Arc<AtomicBool>,
     pub(super) simulation: Simulation<D>,
-    pub(super) trace: Option<(PathBuf, TraceWriter)>,
+    pub(super) trace: Option<(PathBuf, BackgroundWriter)>,
     /// The file of the summary, and whether it may overwrite another.
     pub(super) summary: Option<(PathBuf, bool)>,
     pub(super) keeper: Option<Keeper>,
@@ -154,10 +154,10 @@ impl<const D: usize> Drive<'_, D> {
 
 /// What takes the records of a run: its trace, or nothing.
 fn recorder(
-    trace: &mut Option<(PathBuf, TraceWriter)>,
+    trace: &mut Option<(PathBuf, BackgroundWriter)>,
 ) -> impl FnMut(Record) -> Result<(), TraceError> {
     |record| match trace {
-        Some((_, writer)) => writer.write(&record),
+        Some((_, writer)) => writer.write(record),
         None => Ok(()),
     }
 }

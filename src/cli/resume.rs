@@ -7,7 +7,7 @@ use clap::Args;
 use volary::checkpoint::{Checkpoint, Recording};
 use volary::dynamics::Engine;
 use volary::shape::In;
-use volary::trace::{TraceWriter, check_summary};
+use volary::trace::{BackgroundWriter, TraceWriter, check_summary};
 
 use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
 use super::{Refusal, files, print, summary};
@@ -124,7 +124,7 @@ where
 fn trace(
     arguments: &ResumeArguments,
     recording: &Recording,
-) -> Result<Option<(PathBuf, TraceWriter)>, Refusal> {
+) -> Result<Option<(PathBuf, BackgroundWriter)>, Refusal> {
     let moved: Option<&Path> = arguments.trace.as_deref();
     match (recording.trace(), moved) {
         (None, None) => Ok(None),
@@ -138,7 +138,8 @@ fn trace(
                 _ => "",
             };
             let path = moved.map_or(path, Path::to_owned);
-            match TraceWriter::resume(&path, position) {
+            let writer = TraceWriter::resume(&path, position);
+            match writer.and_then(|writer| BackgroundWriter::new(writer, &path)) {
                 Ok(writer) => Ok(Some((path, writer))),
                 Err(error) => Err(Refusal::bad_input(format!("{error}{hint}"))),
             }

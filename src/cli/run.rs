@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use volary::dynamics::{Accuracy, Dynamics, Engine};
 use volary::shape::In;
 use volary::simulation::Simulation;
-use volary::trace::TraceWriter;
+use volary::trace::{BackgroundWriter, TraceWriter};
 use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
@@ -170,8 +170,9 @@ where
     };
     let trace = match &arguments.trace {
         Some(path) => {
-            let writer = create(path, arguments.force).map_err(files::refuse)?;
-            Some((path.clone(), writer))
+            let writer = create(path, arguments.force)
+                .and_then(|writer| BackgroundWriter::new(writer, path));
+            Some((path.clone(), writer.map_err(files::refuse)?))
         }
         None => None,
     };

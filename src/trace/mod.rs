@@ -49,6 +49,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod background;
 mod error;
 pub(crate) mod file;
 mod finite;
@@ -60,6 +61,7 @@ mod split;
 mod summary;
 mod writer;
 
+pub use background::BackgroundWriter;
 pub use error::TraceError;
 pub use file::TraceFile;
 pub use format::{Compression, Format, Layout};

@@ -1,5 +1,6 @@
 //! Traces: what is written is read, whole or cut, and nothing else is.
 
+mod background;
 mod cut;
 mod files;
 mod foreign;

@@ -1,0 +1,140 @@
+//! Writing a trace on a thread of its own.
+
+use std::path::Path;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread::{self, JoinHandle};
+
+use super::record::Record;
+use super::{TraceError, TracePosition, TraceWriter};
+
+/// Records that may wait to be written. More would only take memory: whoever writes for long
+/// slower than records come must hold them up.
+const WAITING: usize = 64;
+
+/// Writes a trace while it happens, on a thread of its own: turning numbers into text,
+/// compressing and writing do not hold up the run.
+///
+/// Records come into the trace in the order in which they are given, all of them, and the same
+/// bytes as a [`TraceWriter`] leaves. What went wrong with a record is told with one of the next,
+/// or by [`finish`]. One that is dropped writes what it was given, as far as it can.
+///
+/// [`finish`]: BackgroundWriter::finish
+#[derive(Debug)]
+pub struct BackgroundWriter {
+    /// Gone once the thread is asked to end.
+    orders: Option<SyncSender<Order>>,
+    thread: Option<JoinHandle<Result<(), TraceError>>>,
+}
+
+/// What the thread is to do.
+enum Order {
+    Write(Box<Record>),
+    /// Tells where the trace stands, with all that was ordered before in it.
+    Position(SyncSender<Result<TracePosition, TraceError>>),
+    Finish,
+}
+
+impl BackgroundWriter {
+    /// Hands a writer to a thread of its own.
+    ///
+    /// # Errors
+    /// Where the system has no thread to give.
+    pub fn new(writer: TraceWriter, path: &Path) -> Result<Self, TraceError> {
+        let (orders, queue) = sync_channel(WAITING);
+        let thread = thread::Builder::new().name("trace".to_owned());
+        let thread = thread
+            .spawn(move || obey(writer, &queue))
+            .map_err(|source| TraceError::Io {
+                action: "write",
+                name: path.display().to_string(),
+                source,
+            })?;
+        Ok(Self {
+            orders: Some(orders),
+            thread: Some(thread),
+        })
+    }
+
+    /// Gives it one record to write.
+    ///
+    /// # Errors
+    /// Those of an earlier record. Nothing can be written after that.
+    pub fn write(&mut self, record: Record) -> Result<(), TraceError> {
+        self.order(Order::Write(Box::new(record)))
+    }
+
+    /// As [`TraceWriter::position`], with all records in it that were given before.
+    ///
+    /// # Errors
+    /// Those of [`TraceWriter::position`], and of an earlier record.
+    pub fn position(&mut self) -> Result<TracePosition, TraceError> {
+        let (reply, answer) = sync_channel(1);
+        self.order(Order::Position(reply))?;
+        match answer.recv() {
+            Ok(position) => position,
+            // It ended over an earlier record.
+            Err(_) => Err(self.end().err().unwrap_or_else(gone)),
+        }
+    }
+
+    /// Writes what waits and closes the trace.
+    ///
+    /// # Errors
+    /// Where something could not be written.
+    pub fn finish(mut self) -> Result<(), TraceError> {
+        self.order(Order::Finish)?;
+        self.end()
+    }
+
+    fn order(&mut self, order: Order) -> Result<(), TraceError> {
+        let sent = self.orders.as_ref().map(|orders| orders.send(order));
+        match sent {
+            Some(Ok(())) => Ok(()),
+            _ => Err(self.end().err().unwrap_or_else(gone)),
+        }
+    }
+
+    /// Waits for the thread to end; nothing is left to be said the second time.
+    fn end(&mut self) -> Result<(), TraceError> {
+        self.orders = None;
+        match self.thread.take().map(JoinHandle::join) {
+            Some(Ok(done)) => done,
+            Some(Err(panic)) => std::panic::resume_unwind(panic),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for BackgroundWriter {
+    fn drop(&mut self) {
+        // There is nobody left to tell.
+        self.orders = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// The thread: writes until it is to finish, or nobody is left to give orders.
+fn obey(mut writer: TraceWriter, orders: &Receiver<Order>) -> Result<(), TraceError> {
+    for order in orders {
+        match order {
+            Order::Write(record) => writer.write(&record)?,
+            Order::Position(reply) => {
+                // Who asked waits for the answer.
+                let _ = reply.send(writer.position());
+            }
+            Order::Finish => return writer.finish(),
+        }
+    }
+    Ok(())
+}
+
+/// The error where there has been one before, which was told.
+fn gone() -> TraceError {
+    TraceError::Io {
+        action: "write",
+        name: "the trace".to_owned(),
+        source: std::io::Error::other("nothing more can be written after an error"),
+    }
+}
