@@ -95,7 +95,10 @@ fn compare<const D: usize>(agents: usize) {
         off = differences.fold(off, f64::max);
     }
     assert!(off < 1e-9, "they differ by {off}");
-    let ratios = plain.iter().zip(&pruned).map(|(plain, pruned)| plain / pruned);
+    let ratios = plain
+        .iter()
+        .zip(&pruned)
+        .map(|(plain, pruned)| plain / pruned);
     let ratio = median(ratios.collect());
     let (plain, pruned) = (median(plain), 1e3 * median(pruned));
     println!("| {D} | {agents} | {plain:.2} | {pruned:.2} | {ratio:.0} | {off:.1e} |");

@@ -35,6 +35,7 @@
 //!
 //! From the bottom up; each module uses only those above it in this list.
 //!
+//! - [`profile`]: where the time goes
 //! - [`math`]: vectors and the scalar functions that laws are made of
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
 //! - [`world`]: the world file, read, checked and resolved
@@ -58,6 +59,7 @@ pub mod law;
 pub mod math;
 pub mod metric;
 pub mod net;
+pub mod profile;
 pub mod reduced;
 pub mod schema;
 pub mod sense;

@@ -1,5 +1,6 @@
 //! The loop: laws, what moves the agents, contacts, frames.
 
+mod profiling;
 mod recording;
 
 use std::ops::ControlFlow;
@@ -14,6 +15,7 @@ use crate::sense::History;
 use crate::shape::In;
 use crate::trace::record::{Contact, Metrics, Record, Summary};
 use crate::world::World;
+use profiling::Watches;
 
 /// What a simulation must know between two steps, besides its world and laws, to go on
 /// bit for bit.
@@ -47,6 +49,7 @@ pub struct Simulation<const D: usize> {
     net_analysis: NetAnalysis,
     smallest_agent_gap: Option<f64>,
     smallest_obstacle_gap: Option<f64>,
+    watches: Watches,
 }
 
 impl<const D: usize> Simulation<D>
@@ -89,6 +92,7 @@ where
             net_analysis: NetAnalysis::default(),
             smallest_agent_gap: None,
             smallest_obstacle_gap: None,
+            watches: Watches::default(),
         })
     }
 
@@ -113,6 +117,7 @@ where
             net_analysis: state.net_analysis,
             smallest_agent_gap: state.smallest_agent_gap,
             smallest_obstacle_gap: state.smallest_obstacle_gap,
+            watches: Watches::default(),
             world,
         })
     }
@@ -160,12 +165,13 @@ impl<const D: usize> Simulation<D> {
         let frame_steps = self.world.frame_steps();
         while self.snapshot().step < end {
             if self.snapshot().step.is_multiple_of(frame_steps) {
-                record(Record::Frame(self.frame()))?;
+                let frame = Record::Frame(self.frame());
+                self.watches.trace.time(|| record(frame))?;
             }
             match self.step() {
                 Ok(over) => over
                     .into_iter()
-                    .try_for_each(|c| record(Record::Contact(c)))?,
+                    .try_for_each(|c| self.watches.trace.time(|| record(Record::Contact(c))))?,
                 Err(failure) => return Ok(Pause::Failed(failure)),
             }
             if watch(&self.snapshot()).is_break() && self.snapshot().step < self.world.steps() {
@@ -193,7 +199,8 @@ impl<const D: usize> Simulation<D> {
                 .step
                 .is_multiple_of(self.world.frame_steps());
         if !recorded {
-            record(Record::Frame(self.frame()))?;
+            let frame = Record::Frame(self.frame());
+            self.watches.trace.time(|| record(frame))?;
         }
         let overlaps = match failed {
             false => self.agents.touches_now(),
@@ -213,10 +220,13 @@ impl<const D: usize> Simulation<D> {
     /// Where the state or the laws are no longer finite.
     pub fn step(&mut self) -> Result<Vec<Contact>, Failure> {
         let begin = self.snapshot().time;
-        self.agents.step(&mut self.flock)?;
-        Ok(self
-            .ledger
-            .enter(begin, self.snapshot().time, self.agents.touches()))
+        self.watches
+            .step
+            .time(|| self.agents.step(&mut self.flock))?;
+        let end = self.snapshot().time;
+        let touches = self.agents.touches();
+        let enter = || self.ledger.enter(begin, end, touches);
+        Ok(self.watches.ledger.time(enter))
     }
 
     /// What [`Simulation::restore`] needs to go on from here.
@@ -228,6 +238,8 @@ impl<const D: usize> Simulation<D> {
         let Self {
             // Given again when it is restored.
             world: _,
+            // The past alone.
+            watches: _,
             flock,
             agents,
             ledger,

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
+    "profile",
     "math",
     "shape",
     "world",

@@ -14,7 +14,7 @@ use volary::trace::record::{Outcome, Record, Summary};
 use volary::trace::{BackgroundWriter, TraceError, write_summary};
 
 use super::progress::Progress;
-use super::{Refusal, files, print, summary};
+use super::{Refusal, files, print, profile, summary};
 
 /// A simulation, and the files that it writes.
 pub(super) struct Drive<'a, const D: usize> {
@@ -29,6 +29,8 @@ pub(super) struct Drive<'a, const D: usize> {
     pub(super) summary: Option<(PathBuf, bool)>,
     pub(super) keeper: Option<Keeper>,
     pub(super) quiet: bool,
+    /// Whether to tell where the time went.
+    pub(super) profile: bool,
 }
 
 /// Where checkpoints go, and when.
@@ -51,6 +53,7 @@ impl<const D: usize> Drive<'_, D> {
 
     /// Takes a simulation to its end, writes what was asked for and prints a summary.
     pub(super) fn go_on(mut self) -> Result<(), Refusal> {
+        self.simulation.measure(self.profile);
         let world = self.simulation.world();
         let progress = Progress::new(world.steps(), world.spec.time.step, self.quiet);
         let done = self.run(&progress);
@@ -68,6 +71,12 @@ impl<const D: usize> Drive<'_, D> {
         if !self.quiet {
             let solver = self.simulation.solver();
             print(&summary::table(&done, solver, self.begin.elapsed()))?;
+        }
+        if self.profile {
+            print(&profile::table(
+                &self.simulation.profile(),
+                self.begin.elapsed(),
+            ))?;
         }
         self.judge(&done)
     }

@@ -7,6 +7,7 @@ mod claims;
 mod drive;
 mod files;
 mod load;
+mod profile;
 mod progress;
 mod reduce;
 mod resume;

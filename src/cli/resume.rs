@@ -41,6 +41,9 @@ pub(super) struct ResumeArguments {
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
+    /// Tell where the time went: senses, each law, engine, contacts, metrics, trace
+    #[arg(long)]
+    profile: bool,
 }
 
 /// Goes on with a run.
@@ -116,6 +119,7 @@ where
             overwrite: true,
         }),
         quiet: arguments.quiet,
+        profile: arguments.profile,
     }
     .go_on()
 }

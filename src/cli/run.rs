@@ -81,6 +81,9 @@ pub(super) struct RunArguments {
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
+    /// Tell where the time went: senses, each law, engine, contacts, metrics, trace
+    #[arg(long)]
+    profile: bool,
 }
 
 /// What moves the agents.
@@ -191,6 +194,7 @@ where
             overwrite: arguments.force,
         }),
         quiet: arguments.quiet,
+        profile: arguments.profile,
     }
     .start()
 }

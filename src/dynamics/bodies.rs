@@ -30,6 +30,7 @@ use crate::dynamics::failure::{Failure, LARGEST};
 use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched, turn};
 use crate::law::{Flock, Pulls, State};
 use crate::math::{Vector, axis};
+use crate::profile::Stopwatch;
 use crate::shape::{In, Obstacle};
 use crate::world::World;
 use touch::{set_speeds, sort};
@@ -69,6 +70,8 @@ pub struct Bodies<const D: usize> {
     /// The pulls of the laws that relax.
     pulls: Pulls<D>,
     touches: Vec<Touch<D>>,
+    /// The engine's own steps, and finding out what touched.
+    watches: [Stopwatch; 2],
 }
 
 impl<const D: usize> Bodies<D> {
@@ -121,6 +124,7 @@ impl<const D: usize> Bodies<D> {
             ahead: zeros,
             pulls: Pulls::default(),
             touches: Vec::new(),
+            watches: Default::default(),
         };
         bodies.turn();
         bodies
@@ -145,12 +149,15 @@ impl<const D: usize> Bodies<D> {
                 attitudes.steer(&self.velocities, &self.next.1)
             }
         };
-        self.physics.step(Drive {
+        let drive = Drive {
             forces: &self.forces,
             steering,
             obstacles: &self.obstacles,
-        });
+        };
+        self.watches[0].time(|| self.physics.step(drive));
+        let begin = self.watches[1].begin();
         self.find_touches();
+        self.watches[1].end(begin);
         let (positions, velocities) = &mut self.next;
         self.physics.read(positions, &mut self.engine_velocities);
         for (i, velocity) in velocities.iter_mut().enumerate() {
@@ -213,6 +220,19 @@ impl<const D: usize> Bodies<D> {
             set_speeds(touch, &self.velocities, &self.obstacles);
         }
         touches
+    }
+
+    /// Measures from now on where the time goes, or does so no longer.
+    pub fn measure(&mut self, on: bool) {
+        self.watches.iter().for_each(|watch| watch.run(on));
+    }
+
+    /// The seconds that went, while they were measured, to the engine and to its contacts.
+    pub fn profile(&self) -> Vec<(String, f64)> {
+        let parts = ["engine", "contacts"].into_iter().zip(&self.watches);
+        parts
+            .map(|(name, watch)| (name.to_owned(), watch.seconds()))
+            .collect()
     }
 
     /// How often the actuators' limits cut the laws' forces.

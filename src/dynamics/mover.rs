@@ -89,6 +89,22 @@ impl<const D: usize> Mover<D> {
         }
     }
 
+    /// Measures from now on where the time goes, or does so no longer.
+    pub fn measure(&mut self, on: bool) {
+        if let Self::Bodies(bodies) = self {
+            bodies.measure(on);
+        }
+    }
+
+    /// Where the time went while it was measured, as [`Bodies::profile`]; of points nothing, for
+    /// whom solving the equations is all there is besides the laws.
+    pub fn profile(&self) -> Vec<(String, f64)> {
+        match self {
+            Self::Bodies(bodies) => bodies.profile(),
+            Self::Points(_) => Vec::new(),
+        }
+    }
+
     /// The state now.
     pub fn snapshot(&self) -> Snapshot<'_, D> {
         match self {

@@ -4,6 +4,7 @@ use std::borrow::Borrow;
 
 use rayon::prelude::*;
 
+use crate::law::watches::Watches;
 use crate::law::{Law, Pulls, build};
 use crate::math::{Matrix, Vector, mean};
 use crate::sense::{CHUNK, Cells, History, PARALLEL_FROM, Perception, Scene, Senses};
@@ -19,6 +20,7 @@ pub struct Flock<const D: usize> {
     stage: Stage<D>,
     /// Scratch: accelerations in the order of the cells.
     accelerations: Vec<Vector<D>>,
+    watches: Watches,
 }
 
 /// The state in the order of the cells, kept from step to step to save allocations.
@@ -56,6 +58,7 @@ impl<const D: usize> Flock<D> {
     /// A flock that obeys some laws, whose agents perceive without limits or errors.
     pub fn new(laws: Vec<Box<dyn Law<D>>>) -> Self {
         Self {
+            watches: Watches::new(laws.len()),
             laws,
             senses: None,
             history: History::default(),
@@ -85,6 +88,20 @@ impl<const D: usize> Flock<D> {
     /// The laws, in their order.
     pub fn laws(&self) -> &[Box<dyn Law<D>>] {
         &self.laws
+    }
+
+    /// Measures from now on where the time goes, or does so no longer.
+    pub fn measure(&mut self, on: bool) {
+        self.watches.run(on);
+    }
+
+    /// The seconds that went, while they were measured, to finding out who perceives whom, and to
+    /// each law, by name.
+    pub fn profile(&self) -> Vec<(String, f64)> {
+        let names = self.laws.iter().map(|law| format!("law {}", law.name()));
+        let laws = names.zip(self.watches.of_laws());
+        let senses = ("senses".to_owned(), self.watches.senses.seconds());
+        [senses].into_iter().chain(laws).collect()
     }
 
     /// The distances at which some law jumps, increasing: see [`Law::jump`]. Radii of what agents

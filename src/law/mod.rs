@@ -25,6 +25,7 @@ mod self_propulsion;
 mod steering;
 mod targets;
 mod tracking;
+mod watches;
 
 pub use alignment::Alignment;
 pub use alpha_interaction::AlphaInteraction;

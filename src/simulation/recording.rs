@@ -46,6 +46,16 @@ impl<const D: usize> Simulation<D> {
     }
 
     pub(super) fn frame(&mut self) -> Frame {
+        let begin = self.watches.frames.begin();
+        // What frames ask the laws is no part of the steps.
+        self.flock.measure(false);
+        let frame = self.new_frame();
+        self.flock.measure(begin.is_some());
+        self.watches.frames.end(begin);
+        frame
+    }
+
+    fn new_frame(&mut self) -> Frame {
         // Measured whether recorded or not: the summary keeps the smallest gaps.
         let metrics = self.metrics();
         keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);

@@ -110,6 +110,8 @@ impl<const D: usize> Bodies<D> {
             next: _,
             pulls: _,
             touches: _,
+            // The past alone.
+            watches: _,
         } = self;
         Ok(BodiesState {
             engine: physics.save()?,
