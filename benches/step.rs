@@ -1,23 +1,31 @@
-//! The whole step of a flock of bodies against the engine's bare step of the same bodies.
+//! The whole step of a flock of bodies against the engine's bare step of the same bodies,
+//! and what laws and sensing cost alone.
 //!
-//! `cargo bench --bench step` prints a table. Both are timed in turns within one run, and
-//! the ratio is the median of the rounds' ratios: absolute times drift from machine to
+//! `cargo bench --bench step` prints tables. All that is compared is timed in turns within one
+//! run, and ratios are the medians of the rounds' ratios: absolute times drift from machine to
 //! machine and from minute to minute, ratios much less.
 
 use std::time::Instant;
 
+use rayon::ThreadPool;
 use serde_json::json;
 use volary::dynamics::{Bodies, Drive, Engine};
 use volary::law::{Flock, build};
+use volary::math::Vector;
 use volary::shape::In;
 use volary::world::World;
 
-/// Rounds of whole and bare steps in turns.
-const ROUNDS: usize = 11;
+/// Rounds of what is compared, in turns.
+const ROUNDS: usize = 31;
 
-/// An α-lattice in flight among obstacles: about six neighbours each in the plane, about
-/// fourteen in space.
-fn world<const D: usize>(agents: usize) -> World<D>
+/// Agent-steps of one round.
+const AGENT_STEPS: usize = 50_000;
+
+/// The range of the lattice: up to six neighbours each in the plane, fourteen in space.
+const LATTICE: f64 = 8.4;
+
+/// An α-lattice in flight among obstacles.
+fn world<const D: usize>(agents: usize, range: f64) -> World<D>
 where
     In<D>: Engine<D>,
 {
@@ -44,7 +52,7 @@ where
         }],
         "obstacles": obstacles,
         "laws": [
-            { "alpha_interaction": { "spacing": 7, "range": 8.4, "damping": 1 } },
+            { "alpha_interaction": { "spacing": 7, "range": range, "damping": 1 } },
             { "obstacle_avoidance": {
                 "range": 4.2, "standoff": 3, "gain": 10, "damping": 0.1,
                 "gamma": { "spacing": 2 }
@@ -67,65 +75,118 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-fn compare<const D: usize>(agents: usize)
+fn pool(threads: usize) -> ThreadPool {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("threads can be made")
+}
+
+/// Rounds for so many agents, and the steps of each.
+fn rounds_and_steps(agents: usize) -> (usize, usize) {
+    let steps = (AGENT_STEPS / agents).max(1);
+    (ROUNDS.min(40 * AGENT_STEPS / (steps * agents)), steps)
+}
+
+/// A flock that has flown for a while, and its bodies.
+fn flown<const D: usize>(world: &World<D>) -> (Flock<D>, Bodies<D>)
 where
     In<D>: Engine<D>,
 {
-    let world = world::<D>(agents);
-    let mut flock = Flock::new(build(&world));
-    let mut bodies = Bodies::new(&world, &mut flock).expect("a finite start");
+    let mut flock = Flock::new(build(world));
+    let mut bodies = Bodies::new(world, &mut flock).expect("a finite start");
+    for _ in 0..(1_000_000 / world.agents.len()).clamp(10, 1_000) {
+        bodies.step(&mut flock).expect("a finite state");
+    }
+    (flock, bodies)
+}
+
+/// Prints a line of the table; gives the whole step's time for one agent.
+fn compare<const D: usize>(agents: usize) -> f64
+where
+    In<D>: Engine<D>,
+{
+    let world = world::<D>(agents, LATTICE);
+    let (mut flock, mut bodies) = flown(&world);
     let mut engine = <In<D> as Engine<D>>::physics(&world);
     let still = Drive {
         forces: &[],
         steering: &[],
         obstacles: &world.obstacles,
     };
-    let steps = (200_000 / agents).clamp(5, 1_000);
-    for _ in 0..steps.min(100) {
-        bodies.step(&mut flock).expect("a finite state");
-        engine.step(still);
-    }
+    let (rounds, steps) = rounds_and_steps(agents);
+    (0..steps.max(10)).for_each(|_| engine.step(still));
     let (mut whole, mut bare, mut laws) = (Vec::new(), Vec::new(), Vec::new());
-    let mut out = vec![volary::math::Vector::zeros(); agents];
-    for _ in 0..ROUNDS {
+    let mut out = vec![Vector::zeros(); agents];
+    for _ in 0..rounds {
         whole.push(seconds(|| {
             (0..steps).for_each(|_| bodies.step(&mut flock).expect("a finite state"));
         }));
         // Forces of nothing: the engine's step alone.
         bare.push(seconds(|| (0..steps).for_each(|_| engine.step(still))));
         laws.push(seconds(|| {
-            for _ in 0..steps {
-                flock.accelerations(&bodies.state(), &mut out);
-            }
+            (0..steps).for_each(|_| flock.accelerations(&bodies.state(), &mut out));
         }));
     }
-    let ratio = median(
-        whole
-            .iter()
-            .zip(&bare)
-            .map(|(whole, bare)| whole / bare)
-            .collect(),
-    );
+    let ratio = median(ratios(&whole, &bare));
     let micro = |times: Vec<f64>| median(times) / (steps * agents) as f64 * 1e6;
+    let whole = micro(whole);
     println!(
-        "| {D} | {agents} | {:.3} | {:.3} | {:.3} | {ratio:.2} |",
+        "| {D} | {agents} | {:.3} | {:.3} | {whole:.3} | {ratio:.2} |",
         micro(bare),
         micro(laws),
-        micro(whole)
     );
+    whole
+}
+
+fn ratios(of: &[f64], to: &[f64]) -> Vec<f64> {
+    of.iter().zip(to).map(|(of, to)| of / to).collect()
+}
+
+/// Prints what the laws of a dense flock cost in flight, on one thread and on two. The flock
+/// flies on between the rounds, so that lists of neighbours age as they do in a run.
+fn laws_alone<const D: usize>(range: f64)
+where
+    In<D>: Engine<D>,
+{
+    let agents = 10_000;
+    let world = world::<D>(agents, range);
+    let (mut flock, mut bodies) = flown(&world);
+    let neighbours = flock.links(&bodies.state()).len() as f64 / agents as f64;
+    let pools = [1, 2].map(pool);
+    let mut times = [Vec::new(), Vec::new()];
+    let mut out = vec![Vector::zeros(); agents];
+    for _ in 0..10 * ROUNDS {
+        pools[1].install(|| bodies.step(&mut flock).expect("a finite state"));
+        let state = bodies.state();
+        for (pool, times) in pools.iter().zip(&mut times) {
+            times.push(pool.install(|| seconds(|| flock.accelerations(&state, &mut out))));
+        }
+    }
+    let scaling = median(ratios(&times[0], &times[1]));
+    let [one, two] = times.map(|times| median(times) / agents as f64 * 1e6);
+    println!("| {D} | {neighbours:.1} | {one:.3} | {two:.3} | {scaling:.2} |");
 }
 
 fn main() {
+    const SIZES: [usize; 4] = [100, 1_000, 10_000, 100_000];
     for threads in [1, 2] {
-        println!("\n{threads} thread(s); µs per agent and step, medians of {ROUNDS} rounds\n");
+        println!("\n{threads} thread(s); µs per agent and step, medians\n");
         println!("| dimension | agents | bare engine | laws alone | whole step | whole / bare |");
         println!("|---|---|---|---|---|---|");
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.expect("threads can be made").install(|| {
-            for agents in [100, 1_000, 10_000] {
-                compare::<2>(agents);
-                compare::<3>(agents);
-            }
+        let [plane, space] = pool(threads).install(|| {
+            let times = SIZES.map(|agents| [compare::<2>(agents), compare::<3>(agents)]);
+            [0, 1].map(|k| times.map(|time| time[k]))
         });
+        for (dimension, times) in [(2, plane), (3, space)] {
+            let exponents: Vec<_> = times
+                .windows(2)
+                .map(|pair| format!("{:.2}", 1.0 + (pair[1] / pair[0]).log10()))
+                .collect();
+            println!("\nThe step's time grows as N to the {exponents:?} ({dimension}-D).");
+        }
     }
+    println!("\nLaws and sensing alone, 10,000 agents; µs per agent and step\n");
+    println!("| dimension | neighbours | one thread | two threads | ratio |");
+    println!("|---|---|---|---|---|");
+    laws_alone::<2>(15.6);
+    laws_alone::<3>(11.0);
 }

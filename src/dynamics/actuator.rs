@@ -62,10 +62,12 @@ impl Actuators {
         gain: f64,
     ) -> Vector<D> {
         let mut force = force;
-        let size = force.norm();
-        if size > self.force_limits[body] {
-            force *= self.force_limits[body] / size;
-            self.cuts.force += 1;
+        if self.force_limits[body].is_finite() {
+            let size = force.norm();
+            if size > self.force_limits[body] {
+                force *= self.force_limits[body] / size;
+                self.cuts.force += 1;
+            }
         }
         if let Some(before) = before
             && self.changes[body].is_finite()

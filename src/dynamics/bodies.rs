@@ -314,7 +314,8 @@ impl<const D: usize> Bodies<D> {
 
     fn check_next(&self) -> Result<(), Failure> {
         let (positions, velocities) = &self.next;
-        let sound = |i: &usize| positions[*i].norm() < LARGEST && velocities[*i].norm() < LARGEST;
+        let small = |vector: &Vector<D>| vector.norm_squared() < LARGEST * LARGEST;
+        let sound = |i: &usize| small(&positions[*i]) && small(&velocities[*i]);
         let broken = (0..positions.len()).find(|i| !sound(i));
         match broken.or_else(|| self.physics.lost().first().copied()) {
             None => Ok(()),

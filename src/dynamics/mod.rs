@@ -177,8 +177,13 @@ mod plane {
 
     use super::{Matrix, Vector};
     use crate::shape::Solid;
-    use rapier::dynamics::MassProperties;
+    use rapier::dynamics::{MassProperties, RigidBodyBuilder};
     use rapier::math::{AngVector, Rotation, Vector as EngineVector};
+
+    /// A body without gyroscopic forces: there are none in the plane.
+    fn without_gyration(body: RigidBodyBuilder) -> RigidBodyBuilder {
+        body
+    }
 
     /// Mass and moment of inertia of a solid whose centroid is its frame's origin.
     fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
@@ -215,8 +220,13 @@ mod space {
 
     use super::{Matrix, Vector};
     use crate::shape::Solid;
-    use rapier::dynamics::MassProperties;
+    use rapier::dynamics::{MassProperties, RigidBodyBuilder};
     use rapier::math::{AngVector, Matrix as EngineMatrix, Rotation, Vector as EngineVector};
+
+    /// A body without gyroscopic forces.
+    fn without_gyration(body: RigidBodyBuilder) -> RigidBodyBuilder {
+        body.gyroscopic_forces_enabled(false)
+    }
 
     /// Mass and inertia tensor of a solid whose centroid is its frame's origin.
     fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {

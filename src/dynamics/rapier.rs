@@ -1,15 +1,18 @@
 //! The adapter to rapier, compiled once for each dimension (see `dynamics::plane` and
 //! `dynamics::space`, which say what `rapier`, `geometry` and `D` are).
 
+use rayon::prelude::*;
+
 use super::rapier::geometry::ContactPair;
 use super::rapier::math::{Pose as RapierPose, Vector as RapierVector};
 use super::rapier::prelude::{
     ActiveHooks, ColliderBuilder, ColliderHandle, ContactModificationContext,
     IntegrationParameters, PhysicsHooks, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
-use super::{D, angular, geometry, matrix, rotation, spin, weight};
+use super::{D, angular, geometry, matrix, rotation, spin, weight, without_gyration};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched, Unusable};
 use crate::math::{Matrix, Vector};
+use crate::sense::{CHUNK, PARALLEL_FROM};
 use crate::shape::{In, Obstacle, Pose};
 use crate::world::World;
 use crate::world::spec::HeadingSpec;
@@ -63,6 +66,10 @@ fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
     if !turns {
         body = body.lock_rotations();
     }
+    if solid.is_ball() {
+        // A ball turns alike about all axes.
+        body = without_gyration(body);
+    }
     // The solid was built once already when the world was made.
     let form = geometry::solid(solid.shape()).expect("made before");
     let collider = ColliderBuilder::new(form);
@@ -99,6 +106,8 @@ struct Rapier {
     earlier: Vec<Touch<D>>,
     /// How far contacts are foreseen at least, for the sake of obstacles that turn.
     foresight: f64,
+    /// Whether the agents are known to the engine and not looked at again; see `settle`.
+    settled: bool,
 }
 
 /// Restitution and friction of each obstacle, where its own count.
@@ -158,6 +167,8 @@ impl Rapier {
         // and of every contact.
         parameters.contact_recycling = false;
         parameters.contact_clustering = false;
+        // Contacts are foreseen along the whole travel, so nothing is left for sweeps.
+        parameters.max_ccd_substeps = 0;
 
         let agents = &world.agents;
         for i in 0..agents.len() {
@@ -234,6 +245,7 @@ impl Rapier {
             passes: world.spec.passes(),
             earlier: Vec::new(),
             foresight: usual + farthest / world.spec.physics.length_unit,
+            settled: false,
             bodies,
             world: engine,
             surfaces: Surfaces {
@@ -246,6 +258,22 @@ impl Rapier {
                     .collect(),
             },
         })
+    }
+
+    /// Spares the engine to look at every agent before every step. It keeps a list of the
+    /// bodies that were lent to be changed, since it must follow what moves or wakes them;
+    /// forces do neither, and are read from every body anyway. A body on the list is marked,
+    /// and not put there again. The loan of all bodies begins with an empty list: so here each
+    /// agent gets its mark, and the list is dropped. Nothing else may be on it, which is so
+    /// right after a step.
+    fn settle(&mut self) {
+        if !self.settled {
+            for body in &self.bodies {
+                self.world.bodies.get_mut(*body);
+            }
+            drop(self.world.bodies.iter_mut());
+            self.settled = true;
+        }
     }
 
     /// The contacts of the pass just taken.
@@ -325,13 +353,29 @@ impl Rapier {
     }
 }
 
+/// Positions and velocities to be read, and whose they are.
+type Part<'a> = (
+    (&'a mut [Vector<D>], &'a mut [Vector<D>]),
+    &'a [RigidBodyHandle],
+);
+
 impl Physics<D> for Rapier {
     fn read(&self, positions: &mut [Vector<D>], velocities: &mut [Vector<D>]) {
-        let out = positions.iter_mut().zip(velocities);
-        for ((position, velocity), handle) in out.zip(&self.bodies) {
-            let body = &self.world.bodies[*handle];
-            *position = body.translation().to_array().into();
-            *velocity = body.linvel().to_array().into();
+        let read = |((positions, velocities), handles): Part<'_>| {
+            let out = positions.iter_mut().zip(velocities);
+            for ((position, velocity), handle) in out.zip(handles) {
+                let body = &self.world.bodies[*handle];
+                *position = body.translation().to_array().into();
+                *velocity = body.linvel().to_array().into();
+            }
+        };
+        if self.bodies.len() < PARALLEL_FROM {
+            read(((positions, velocities), &self.bodies));
+        } else {
+            let out = positions.par_chunks_mut(CHUNK);
+            out.zip(velocities.par_chunks_mut(CHUNK))
+                .zip(self.bodies.par_chunks(CHUNK))
+                .for_each(read);
         }
     }
 
@@ -387,6 +431,7 @@ impl Physics<D> for Rapier {
             self.world.step_with_events(&self.surfaces, &());
         }
         self.earlier = earlier;
+        self.settle();
         // Exactly where they are to be: the engine's own steps would drift away.
         for (index, handle) in &self.moving {
             if let Some(obstacle) = drive.obstacles.get(*index) {

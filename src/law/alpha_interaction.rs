@@ -32,7 +32,7 @@
 
 use crate::law::Law;
 use crate::math::{AlphaPair, Fade, Vector};
-use crate::sense::Scene;
+use crate::sense::{Neighbour, Scene};
 use crate::world::spec::{AlphaInteractionSpec, AlphaProtocol};
 
 /// The (α, α) protocols; see the module.
@@ -70,20 +70,92 @@ impl<const D: usize> Law<D> for AlphaInteraction {
     }
 
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
-        for (k, acceleration) in out.iter_mut().enumerate() {
-            let i = first + k;
-            let p = scene.velocities[i];
-            let mut sum = Vector::zeros();
-            scene.neighbours(i, self.pair.range, |neighbour| {
-                let distance = neighbour.squared.sqrt();
-                let (force, weight) = self.pair.force_and_weight(distance);
-                if distance > 0.0 {
-                    sum += neighbour.offset * (force / distance * neighbour.weight);
-                }
-                let weight = if self.weighted_damping { weight } else { 1.0 };
-                sum += (neighbour.velocity - p) * (self.damping * weight * neighbour.weight);
-            });
-            *acceleration += sum;
+        let mut batch = Batch::new();
+        let mut sums = [Vector::zeros(); AGENTS];
+        for (block, out) in out.chunks_mut(AGENTS).enumerate() {
+            let first = first + block * AGENTS;
+            sums.fill(Vector::zeros());
+            for k in 0..out.len() {
+                let p = scene.velocities[first + k];
+                scene.neighbours(first + k, self.pair.range, |neighbour| {
+                    batch.push(k, p, &neighbour);
+                    if batch.len == PAIRS {
+                        self.add(&mut batch, &mut sums);
+                    }
+                });
+            }
+            self.add(&mut batch, &mut sums);
+            for (acceleration, sum) in out.iter_mut().zip(&sums) {
+                *acceleration += sum;
+            }
         }
+    }
+}
+
+impl AlphaInteraction {
+    /// Adds what the pairs of a batch exert to their agents' sums, and empties it.
+    fn add<const D: usize>(&self, batch: &mut Batch<D>, sums: &mut [Vector<D>; AGENTS]) {
+        let n = batch.len;
+        let (ratios, weights) = (&mut batch.ratios[..n], &mut batch.weights[..n]);
+        self.pair
+            .ratios_and_weights(&batch.squared[..n], ratios, weights);
+        for pair in 0..n {
+            let cone = batch.cones[pair];
+            let weight = match self.weighted_damping {
+                true => batch.weights[pair],
+                false => 1.0,
+            };
+            let sum = &mut sums[batch.agents[pair] as usize];
+            *sum += batch.offsets[pair] * (batch.ratios[pair] * cone);
+            *sum += batch.velocities[pair] * (self.damping * weight * cone);
+        }
+        batch.len = 0;
+    }
+}
+
+/// Agents whose pairs are gathered together.
+const AGENTS: usize = 32;
+
+/// Pairs that are worked out together.
+const PAIRS: usize = 256;
+
+/// Pairs of agents and their neighbours, component by component.
+struct Batch<const D: usize> {
+    len: usize,
+    /// The agent of each pair, counted from the first of the block.
+    agents: [u8; PAIRS],
+    squared: [f64; PAIRS],
+    offsets: [Vector<D>; PAIRS],
+    /// Of the neighbour, less that of the agent.
+    velocities: [Vector<D>; PAIRS],
+    /// What cones of perception leave of it.
+    cones: [f64; PAIRS],
+    ratios: [f64; PAIRS],
+    weights: [f64; PAIRS],
+}
+
+impl<const D: usize> Batch<D> {
+    fn new() -> Self {
+        Self {
+            len: 0,
+            agents: [0; PAIRS],
+            squared: [0.0; PAIRS],
+            offsets: [Vector::zeros(); PAIRS],
+            velocities: [Vector::zeros(); PAIRS],
+            cones: [0.0; PAIRS],
+            ratios: [0.0; PAIRS],
+            weights: [0.0; PAIRS],
+        }
+    }
+
+    #[inline]
+    fn push(&mut self, agent: usize, velocity: Vector<D>, neighbour: &Neighbour<D>) {
+        let k = self.len;
+        self.agents[k] = agent as u8;
+        self.squared[k] = neighbour.squared;
+        self.offsets[k] = neighbour.offset;
+        self.velocities[k] = neighbour.velocity - velocity;
+        self.cones[k] = neighbour.weight;
+        self.len += 1;
     }
 }

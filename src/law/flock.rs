@@ -1,13 +1,13 @@
 //! A flock: the sum of its laws.
 
-use std::borrow::Borrow;
-
 use rayon::prelude::*;
 
 use crate::law::watches::Watches;
 use crate::law::{Law, Pulls, build};
 use crate::math::{Matrix, Vector, mean};
-use crate::sense::{CHUNK, Cells, History, PARALLEL_FROM, Perception, Scene, Senses};
+use crate::sense::{
+    CHUNK, Cells, History, Near, PARALLEL_FROM, Perception, Scene, Senses, Vicinity,
+};
 use crate::shape::Obstacle;
 use crate::world::World;
 
@@ -31,6 +31,9 @@ struct Stage<const D: usize> {
     headings: Vec<Vector<D>>,
     groups: Vec<u32>,
     perception: Perception<D>,
+    vicinity: Vicinity<D>,
+    /// Place in the scene of each agent of the world.
+    places: Vec<u32>,
 }
 
 /// A state of the agents and what stands around them: the input of a flock.
@@ -203,9 +206,9 @@ impl<const D: usize> Flock<D> {
     /// The links: who perceives whom within the largest range of the laws, as pairs of
     /// agents, the one that perceives first; sorted.
     pub fn links(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
-        let [range, _] = range_and_side(&self.laws);
+        let ranges @ [range, _] = range_and_side(choose(&self.laws, &|_, _| true));
         let senses = self.senses.as_ref();
-        let scene = self.stage.scene(state, &self.laws, senses, &self.history);
+        let scene = self.stage.scene(state, ranges, senses, &self.history);
         let mut links = Vec::new();
         if range > 0.0 {
             for (i, &agent) in scene.agents.iter().enumerate() {
@@ -221,8 +224,9 @@ impl<const D: usize> Flock<D> {
     /// The lines of sight in which something weakens or blocks an influence, for some law, as
     /// pairs of agents, the one that looks first; sorted.
     pub fn blocked(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
+        let ranges = range_and_side(choose(&self.laws, &|_, _| true));
         let senses = self.senses.as_ref();
-        let scene = self.stage.scene(state, &self.laws, senses, &self.history);
+        let scene = self.stage.scene(state, ranges, senses, &self.history);
         let mut blocked = Vec::new();
         for law in &mut self.laws {
             law.prepare(&scene);
@@ -244,34 +248,38 @@ impl<const D: usize> Flock<D> {
         state: &State<'_, D>,
         pulls: &mut Pulls<D>,
     ) {
-        let mut laws = choose(&mut self.laws, chosen);
+        let ranges = range_and_side(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
-        let scene = self.stage.scene(state, &laws, senses, &self.history);
+        let scene = self.stage.scene(state, ranges, senses, &self.history);
         pulls.clear();
-        for law in &mut laws {
-            law.prepare(&scene);
-            pulls.add(&***law, &scene);
+        for (index, law) in self.laws.iter_mut().enumerate() {
+            if chosen(index, &**law) {
+                law.prepare(&scene);
+                pulls.add(&**law, &scene);
+            }
         }
     }
 
     /// Sums some of the laws over all agents.
     fn add_up(
         &mut self,
-        chosen: impl Fn(usize, &dyn Law<D>) -> bool,
+        chosen: impl Fn(usize, &dyn Law<D>) -> bool + Sync,
         state: &State<'_, D>,
         out: &mut [Vector<D>],
     ) {
-        let mut laws = choose(&mut self.laws, chosen);
+        let ranges = range_and_side(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
-        let scene = self.stage.scene(state, &laws, senses, &self.history);
-        for law in &mut laws {
-            law.prepare(&scene);
+        let scene = self.stage.scene(state, ranges, senses, &self.history);
+        for (index, law) in self.laws.iter_mut().enumerate() {
+            if chosen(index, &**law) {
+                law.prepare(&scene);
+            }
         }
-        let laws = &laws;
+        let laws = &self.laws;
         self.accelerations.clear();
         self.accelerations.resize(out.len(), Vector::zeros());
         let add = |(chunk, out): (usize, &mut [Vector<D>])| {
-            for law in laws {
+            for law in choose(laws, &chosen) {
                 law.accelerate(&scene, chunk * CHUNK, out);
             }
         };
@@ -291,50 +299,55 @@ impl<const D: usize> Flock<D> {
 /// Rate × step from which on pulls are integrated apart.
 const STIFF: f64 = 0.25;
 
+/// Others in an agent's cell from which on, on average, lists of who may be near grow too
+/// long to be kept.
+const CROWDED: f64 = 32.0;
+
 /// Whether a law relaxes, among laws that are stiff together or are not.
 fn relaxes<const D: usize>(law: &dyn Law<D>, stiff: bool) -> bool {
     law.relaxes() || (stiff && law.stiffness() > 0.0)
 }
 
 /// Some of the laws.
-fn choose<const D: usize>(
-    laws: &mut [Box<dyn Law<D>>],
-    chosen: impl Fn(usize, &dyn Law<D>) -> bool,
-) -> Vec<&mut Box<dyn Law<D>>> {
-    let laws = laws.iter_mut().enumerate();
-    laws.filter(|(index, law)| chosen(*index, &***law))
+fn choose<'a, const D: usize>(
+    laws: &'a [Box<dyn Law<D>>],
+    chosen: &'a impl Fn(usize, &dyn Law<D>) -> bool,
+) -> impl Iterator<Item = &'a dyn Law<D>> + Clone {
+    let laws = laws.iter().map(|law| &**law).enumerate();
+    laws.filter(|(index, law)| chosen(*index, *law))
         .map(|(_, law)| law)
-        .collect()
 }
 
 /// The largest distance at which some laws look for neighbours, and the side of cells that
 /// suits them: their largest finite range, for a search of all pairs looks into every cell.
-fn range_and_side<const D: usize>(laws: &[impl Borrow<Box<dyn Law<D>>>]) -> [f64; 2] {
-    let ranges = || laws.iter().map(|law| law.borrow().range());
-    let finite = ranges()
-        .filter(|range| range.is_finite())
-        .fold(0.0, f64::max);
+fn range_and_side<'a, const D: usize>(
+    laws: impl Iterator<Item = &'a dyn Law<D>> + Clone,
+) -> [f64; 2] {
+    let ranges = laws.map(|law| law.range());
+    let finite = ranges.clone().filter(|range| range.is_finite());
+    let finite = finite.fold(0.0, f64::max);
     // Without neighbours to look for, one cell will do.
     let side = if finite > 0.0 { finite } else { f64::MAX };
-    [ranges().fold(0.0, f64::max), side]
+    [ranges.fold(0.0, f64::max), side]
 }
 
 impl<const D: usize> Stage<D> {
-    /// The scene that some laws see.
+    /// The scene that laws see who look so far, in cells of this side.
     fn scene<'a>(
         &'a mut self,
         state: &State<'a, D>,
-        laws: &[impl Borrow<Box<dyn Law<D>>>],
+        [range, side]: [f64; 2],
         senses: Option<&Senses<D>>,
         history: &History<D>,
     ) -> Scene<'a, D> {
-        let [range, side] = range_and_side(laws);
         let Self {
             cells,
             velocities,
             headings,
             groups,
             perception,
+            vicinity,
+            places,
         } = self;
         cells.rebuild(state.positions, side);
         let order = || cells.order().iter().map(|&agent| agent as usize);
@@ -359,12 +372,20 @@ impl<const D: usize> Stage<D> {
             mean_velocity: mean(state.velocities),
             perception: None,
             visible: None,
+            near: None,
         };
-        if let Some(senses) = senses
-            && range > 0.0
-        {
+        if range == 0.0 {
+            // Nobody looks.
+        } else if let Some(senses) = senses {
             perception.rebuild(senses, history, &scene, [range, side]);
             scene.perception = Some(perception);
+        } else if range.is_finite() && cells.crowding() <= CROWDED {
+            vicinity.follow(state.positions, scene.mean_position, range);
+            places.resize(scene.agents.len(), 0);
+            for (place, &agent) in scene.agents.iter().enumerate() {
+                places[agent as usize] = place as u32;
+            }
+            scene.near = Some(Near { vicinity, places });
         }
         scene
     }

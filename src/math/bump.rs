@@ -30,24 +30,20 @@ impl Bump {
         self.value_and_slope(z).1
     }
 
-    /// ρ(z) and ρ'(z) at once.
+    /// ρ(z) and ρ'(z) at once. Without branches, so that many can be found in lanes.
     #[inline]
     pub fn value_and_slope(&self, z: f64) -> (f64, f64) {
-        if z <= self.start {
-            (1.0, 0.0)
-        } else if z >= 1.0 {
-            (0.0, 0.0)
-        } else {
-            // With the phase θ = π(z − k0)/(1 − k0) written as π/2 + 2y, half a turn of θ
-            // becomes a quarter turn of y, which needs no reduction:
-            // cos θ = −2 sin y cos y and sin θ = 1 − 2 sin² y.
-            let rate = PI / (1.0 - self.start);
-            let (sin, cos) = quarter(0.5 * rate * (z - self.start) - FRAC_PI_4);
-            (
-                (0.5 - sin * cos).max(0.0),
-                -0.5 * rate * (1.0 - 2.0 * sin * sin),
-            )
-        }
+        // With the phase θ = π(z − k0)/(1 − k0) written as π/2 + 2y, half a turn of θ
+        // becomes a quarter turn of y, which needs no reduction:
+        // cos θ = −2 sin y cos y and sin θ = 1 − 2 sin² y.
+        let rate = PI / (1.0 - self.start);
+        let falling = z.max(self.start).min(1.0);
+        let (sin, cos) = quarter(0.5 * rate * (falling - self.start) - FRAC_PI_4);
+        let value = (0.5 - sin * cos).max(0.0);
+        let slope = -0.5 * rate * (1.0 - 2.0 * sin * sin);
+        let value = if z <= self.start { 1.0 } else { value };
+        let slope = if z <= self.start { 0.0 } else { slope };
+        if z >= 1.0 { (0.0, 0.0) } else { (value, slope) }
     }
 }
 

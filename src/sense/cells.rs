@@ -12,27 +12,32 @@ use crate::math::Vector;
 #[derive(Debug, Clone)]
 pub struct Cells<const D: usize> {
     side: f64,
+    per_side: f64,
     /// Slots along each axis, a power of two.
     slots: [usize; D],
     /// Where each slot begins in `order`; one more entry than slots.
     starts: Vec<u32>,
     order: Vec<u32>,
     sorted: Vec<Vector<D>>,
+    /// Number of pairs that share a slot.
+    pairs: u64,
     /// Scratch: the slot of each agent.
     slot_of: Vec<u32>,
 }
 
 /// Hits that a search writes down before it visits them.
-const HITS: usize = 64;
+pub(super) const HITS: usize = 64;
 
 impl<const D: usize> Default for Cells<D> {
     fn default() -> Self {
         Self {
             side: 1.0,
+            per_side: 1.0,
             slots: [1; D],
             starts: vec![0, 0],
             order: Vec::new(),
             sorted: Vec::new(),
+            pairs: 0,
             slot_of: Vec::new(),
         }
     }
@@ -45,6 +50,7 @@ impl<const D: usize> Cells<D> {
         debug_assert!(side > 0.0);
         // A hair wider, so that rounding cannot put agents one side apart two cells apart.
         self.side = side * (1.0 + 1e-9);
+        self.per_side = 1.0 / self.side;
         let mut min = Vector::<D>::repeat(f64::INFINITY);
         let mut max = Vector::<D>::repeat(f64::NEG_INFINITY);
         for position in positions {
@@ -66,9 +72,11 @@ impl<const D: usize> Cells<D> {
         self.starts.clear();
         self.starts.resize(total + 1, 0);
         self.slot_of.clear();
+        self.pairs = 0;
         for position in positions {
             let slot = self.slot(&self.cell(position));
             self.slot_of.push(slot as u32);
+            self.pairs += u64::from(self.starts[slot + 1]);
             self.starts[slot + 1] += 1;
         }
         for slot in 0..total {
@@ -151,6 +159,11 @@ impl<const D: usize> Cells<D> {
         report(&hits[..count]);
     }
 
+    /// How many others share an agent's slot, on average.
+    pub fn crowding(&self) -> f64 {
+        2.0 * self.pairs as f64 / self.sorted.len().max(1) as f64
+    }
+
     /// The agent at each place of the sorted order.
     pub fn order(&self) -> &[u32] {
         &self.order
@@ -161,8 +174,14 @@ impl<const D: usize> Cells<D> {
         &self.sorted
     }
 
+    #[inline]
     fn cell(&self, point: &Vector<D>) -> [i64; D] {
-        std::array::from_fn(|axis| (point[axis] / self.side).floor() as i64)
+        std::array::from_fn(|axis| {
+            // The floor; that of the library is a call on older processors.
+            let number = point[axis] * self.per_side;
+            let whole = number as i64;
+            whole.saturating_sub(i64::from(whole as f64 > number))
+        })
     }
 
     fn slot(&self, cell: &[i64; D]) -> usize {

@@ -1,7 +1,8 @@
 //! What the laws see at one moment.
 
 use crate::math::{Matrix, Vector};
-use crate::sense::{Cells, Perception};
+use crate::sense::cells::HITS;
+use crate::sense::{Cells, Perception, Vicinity};
 use crate::shape::{Obstacle, Projection};
 
 /// The state of the world at one moment, as the laws see it.
@@ -38,6 +39,16 @@ pub struct Scene<'a, const D: usize> {
     pub perception: Option<&'a Perception<D>>,
     /// For each group, whether its agents count as neighbours; absent where all do.
     pub visible: Option<&'a [bool]>,
+    /// Who may be near; absent where the cells are to be searched.
+    pub(crate) near: Option<Near<'a, D>>,
+}
+
+/// Lists of who may be near, and where in the scene they are.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Near<'a, const D: usize> {
+    pub(crate) vicinity: &'a Vicinity<D>,
+    /// Place in the scene of each agent of the world.
+    pub(crate) places: &'a [u32],
 }
 
 /// Another agent, as an agent perceives it.
@@ -102,12 +113,43 @@ impl<const D: usize> Scene<'_, D> {
         if self.perception.is_some() || self.visible.is_some() {
             return self.perceived(i, range, &mut visit);
         }
-        self.cells
-            .for_each_within(&self.positions[i], range, |index, offset, squared| {
-                if index != i {
-                    visit(self.neighbour(index, offset, squared));
+        self.within(i, range, |index, offset, squared| {
+            visit(self.neighbour(index, offset, squared));
+        });
+    }
+
+    /// Calls `visit` with index, offset and squared distance of all others at most `range`
+    /// away from agent `i`.
+    #[inline]
+    fn within(&self, i: usize, range: f64, mut visit: impl FnMut(usize, Vector<D>, f64)) {
+        match self.near {
+            Some(near) if range <= near.vicinity.range() => {
+                let point = &self.positions[i];
+                let limit = range * range;
+                let mut hits = [0u32; HITS];
+                for others in near.vicinity.of(self.agents[i]).chunks(HITS) {
+                    // As in the search of cells: no branch that depends on where they are.
+                    let mut count = 0;
+                    for &other in others {
+                        let place = near.places[other as usize];
+                        let squared = (self.positions[place as usize] - point).norm_squared();
+                        hits[count] = place;
+                        count += usize::from(squared <= limit);
+                    }
+                    for &hit in &hits[..count] {
+                        let offset = self.positions[hit as usize] - point;
+                        visit(hit as usize, offset, offset.norm_squared());
+                    }
                 }
-            });
+            }
+            _ => self
+                .cells
+                .for_each_within(&self.positions[i], range, |index, offset, squared| {
+                    if index != i {
+                        visit(index, offset, squared);
+                    }
+                }),
+        }
     }
 
     /// The neighbours of agents with senses of their own, or of laws with a scope. Apart,
@@ -119,14 +161,11 @@ impl<const D: usize> Scene<'_, D> {
                 .of(i, range)
                 .filter(|neighbour| self.sees(neighbour.index))
                 .for_each(|neighbour| visit(*neighbour)),
-            None => {
-                self.cells
-                    .for_each_within(&self.positions[i], range, |index, offset, squared| {
-                        if index != i && self.sees(index) {
-                            visit(self.neighbour(index, offset, squared));
-                        }
-                    });
-            }
+            None => self.within(i, range, |index, offset, squared| {
+                if self.sees(index) {
+                    visit(self.neighbour(index, offset, squared));
+                }
+            }),
         }
     }
 

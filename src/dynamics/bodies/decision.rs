@@ -38,14 +38,15 @@ impl<const D: usize> Bodies<D> {
 
     /// Turns what the laws ask for into forces within the actuators' limits.
     pub(super) fn decide(&mut self) -> Result<(), Failure> {
-        let lead = self.lead();
-        let wanted = self.wanted.iter().zip(&self.wanted_before);
-        let mut wanted: Vec<_> = wanted.map(|(now, old)| now + (now - old) * lead).collect();
-        let relaxed = self.relax(&mut wanted);
-        let lag = self.lag();
-        for (i, wanted) in wanted.iter().enumerate() {
+        let relaxed = self.relax();
+        let (lag, lead) = (self.lag(), self.lead());
+        for i in 0..self.wanted.len() {
             // What relaxes ends the step where it ends, unless it is too fast for the body.
             let relaxed = relaxed.as_ref().map(|relaxed| &relaxed[i]);
+            let wanted = match relaxed {
+                Some(relaxed) => relaxed.wanted,
+                None => self.wanted_in_step(i, lead),
+            };
             let relaxed = relaxed.filter(|it| self.actuators.allow(i, it.fastest));
             // From the engine's velocity to that read at the end of the step.
             let span = self.step_size + if relaxed.is_some() { 0.0 } else { lag };
@@ -74,33 +75,45 @@ impl<const D: usize> Bodies<D> {
         Ok(())
     }
 
-    /// Turns the accelerations wanted by the other laws into those that take the engine's
-    /// velocities, with the pulls, to where they relax to over the step; and tells how the
-    /// velocities relax on from there to the end of the step. Nothing where nothing pulls.
-    fn relax(&self, wanted: &mut [Vector<D>]) -> Option<Vec<Relaxed<D>>> {
+    /// What the laws want of an agent in the middle of what the engine's velocities span.
+    fn wanted_in_step(&self, i: usize, lead: f64) -> Vector<D> {
+        self.wanted[i] + (self.wanted[i] - self.wanted_before[i]) * lead
+    }
+
+    /// The accelerations that take the engine's velocities, under the other laws and with the
+    /// pulls, to where they relax to over the step; and how they relax on from there to the end
+    /// of the step. Nothing where nothing pulls.
+    fn relax(&self) -> Option<Vec<Relaxed<D>>> {
         if self.pulls.is_empty() {
             return None;
         }
-        let drift: Vec<_> = wanted.iter().map(|wanted| wanted + self.gravity).collect();
-        let lag = self.lag();
+        let (lag, lead) = (self.lag(), self.lead());
+        let agents = 0..self.wanted.len();
+        let drift: Vec<_> = agents
+            .map(|i| self.wanted_in_step(i, lead) + self.gravity)
+            .collect();
         // At the start the engine's velocities are those of the bodies.
         let first = self.step_size - if self.step == 0 { lag } else { 0.0 };
         let from = &self.engine_velocities;
         let to = relax(&self.pulls, from, &drift, first);
         let end = relax(&self.pulls, &to, &drift, lag);
-        for (i, wanted) in wanted.iter_mut().enumerate() {
-            *wanted = (to[i] - from[i]) / self.step_size - self.gravity;
-        }
-        let relaxed = to.iter().zip(&end).map(|(to, end)| Relaxed {
-            ahead: end - to,
-            fastest: f64::max(to.norm(), end.norm()),
-        });
+        let relaxed = to
+            .iter()
+            .zip(&end)
+            .zip(from)
+            .map(|((to, end), from)| Relaxed {
+                wanted: (to - from) / self.step_size - self.gravity,
+                ahead: end - to,
+                fastest: f64::max(to.norm(), end.norm()),
+            });
         Some(relaxed.collect())
     }
 }
 
 /// How a velocity relaxes over a step.
 struct Relaxed<const D: usize> {
+    /// The acceleration of the engine's velocity.
+    wanted: Vector<D>,
     /// From the engine's velocity to that at the end of the step.
     ahead: Vector<D>,
     /// The larger of the two speeds.
