@@ -18,7 +18,7 @@ impl Eight {
 }
 
 /// Points in a block.
-pub(super) const BLOCK: usize = 128;
+pub(super) const BLOCK: usize = 256;
 
 /// A number for each point of a block.
 pub(super) type Column = [Eight; BLOCK / 8];
@@ -49,11 +49,10 @@ pub struct Sums<const D: usize> {
     pub drive: Vector<D>,
 }
 
-/// A point at which sums are asked for.
+/// A point of a cloud.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target<const D: usize> {
-    /// The number of the point of the cloud that it is, which does not count; any other
-    /// where it is none.
+pub struct Point<const D: usize> {
+    /// Its number: it is no other point's.
     pub number: usize,
     /// Where it is.
     pub position: Vector<D>,
@@ -62,8 +61,8 @@ pub struct Target<const D: usize> {
 }
 
 impl<const D: usize> Cloud<D> {
-    /// Forgets what was there and takes these points, whose numbers all differ.
-    pub fn refill(&mut self, points: impl Iterator<Item = Target<D>>) {
+    /// Forgets what was there and takes these points.
+    pub fn refill(&mut self, points: impl Iterator<Item = Point<D>>) {
         self.blocks.clear();
         self.count = 0;
         for point in points {

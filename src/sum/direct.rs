@@ -3,27 +3,25 @@
 use rayon::prelude::*;
 
 use crate::math::{Radial, vectorized};
-use crate::sum::cloud::{BLOCK, Cloud, Sums, Target};
+use crate::sum::cloud::{BLOCK, Cloud, Sums};
 use crate::sum::tile::{Exchange, Gather, Tally};
 
-/// The sums at some targets over the points of a cloud. Each is the same whatever others are
-/// asked for.
+/// The sums at the points of one cloud over those of another. Points of the same number are
+/// the same one, and count for nothing. Each sum is the same whatever others are asked for.
 pub fn at<K: Radial, const D: usize>(
     radial: K,
-    cloud: &Cloud<D>,
-    targets: impl Iterator<Item = Target<D>>,
+    targets: &Cloud<D>,
+    sources: &Cloud<D>,
 ) -> Vec<Sums<D>> {
-    let mut wanted = Cloud::default();
-    wanted.refill(targets);
-    let mut sums = Vec::with_capacity(wanted.count());
-    for block in wanted.blocks() {
-        let count = BLOCK.min(wanted.count() - sums.len());
+    let mut sums = Vec::with_capacity(targets.count());
+    for block in targets.blocks() {
+        let count = BLOCK.min(targets.count() - sums.len());
         let mut tally = Tally::ZERO;
         vectorized(Gather {
             radial,
             targets: block,
             count,
-            sources: cloud.blocks(),
+            sources: sources.blocks(),
             tally: &mut tally,
         });
         sums.extend((0..count).map(|place| tally.at(place, radial.scale())));
@@ -43,8 +41,8 @@ pub fn mutual<K: Radial, const D: usize>(radial: K, cloud: &Cloud<D>, sums: &mut
         // Blocks whose indices add up to the round, modulo their number: those up to it, and
         // those beyond.
         let (low, high) = tallies.split_at_mut(round + 1);
-        let mut meetings = meetings(0, low);
-        meetings.extend(self::meetings(round + 1, high));
+        let mut meetings = pairs(0, low);
+        meetings.extend(pairs(round + 1, high));
         let meet = |meeting: Meeting<'_, D>| meet(radial, cloud, meeting);
         if blocks.len() > 2 {
             meetings.into_par_iter().for_each(meet);
@@ -63,7 +61,7 @@ struct Meeting<'a, const D: usize> {
 }
 
 /// Pairs the first of some blocks with the last, the second with the last but one, and so on.
-fn meetings<const D: usize>(first: usize, tallies: &mut [Tally<D>]) -> Vec<Meeting<'_, D>> {
+fn pairs<const D: usize>(first: usize, tallies: &mut [Tally<D>]) -> Vec<Meeting<'_, D>> {
     let mut left = tallies.iter_mut().enumerate();
     let mut meetings = Vec::with_capacity(left.len().div_ceil(2));
     let numbered = |(k, tally)| (first + k, tally);

@@ -8,5 +8,5 @@ mod cloud;
 mod direct;
 mod tile;
 
-pub use cloud::{Cloud, Sums, Target};
+pub use cloud::{Cloud, Point, Sums};
 pub use direct::{at, mutual};
