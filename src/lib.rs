@@ -37,6 +37,7 @@
 //!
 //! - [`profile`]: where the time goes
 //! - [`math`]: vectors and the scalar functions that laws are made of
+//! - [`sum`]: sums over all pairs of points, on vector registers
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
 //! - [`world`]: the world file, read, checked and resolved
 //! - [`sense`]: what agents perceive, neighbours and obstacles
@@ -65,6 +66,7 @@ pub mod schema;
 pub mod sense;
 pub mod shape;
 pub mod simulation;
+pub mod sum;
 pub mod trace;
 pub mod validate;
 pub mod world;

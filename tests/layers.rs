@@ -3,9 +3,10 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 16] = [
+const LAYERS: [&str; 17] = [
     "profile",
     "math",
+    "sum",
     "shape",
     "world",
     "sense",

@@ -250,12 +250,17 @@ impl<const D: usize> Flock<D> {
     ) {
         let ranges = range_and_side(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
+        let watches = &self.watches;
+        let begin = watches.senses.begin();
         let scene = self.stage.scene(state, ranges, senses, &self.history);
+        watches.senses.end(begin);
         pulls.clear();
         for (index, law) in self.laws.iter_mut().enumerate() {
             if chosen(index, &**law) {
-                law.prepare(&scene);
-                pulls.add(&**law, &scene);
+                watches.laws[index][0].time(|| {
+                    law.prepare(&scene);
+                    pulls.add(&**law, &scene);
+                });
             }
         }
     }
@@ -269,20 +274,28 @@ impl<const D: usize> Flock<D> {
     ) {
         let ranges = range_and_side(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
+        let watches = &self.watches;
+        let begin = watches.senses.begin();
         let scene = self.stage.scene(state, ranges, senses, &self.history);
+        watches.senses.end(begin);
         for (index, law) in self.laws.iter_mut().enumerate() {
             if chosen(index, &**law) {
-                law.prepare(&scene);
+                watches.laws[index][0].time(|| {
+                    law.prepare(&scene);
+                    law.gather(&scene);
+                });
             }
         }
         let laws = &self.laws;
         self.accelerations.clear();
         self.accelerations.resize(out.len(), Vector::zeros());
         let add = |(chunk, out): (usize, &mut [Vector<D>])| {
-            for law in choose(laws, &chosen) {
-                law.accelerate(&scene, chunk * CHUNK, out);
+            for (index, law) in choose(laws, &chosen) {
+                let accelerate = || law.accelerate(&scene, chunk * CHUNK, out);
+                watches.laws[index][1].time(accelerate);
             }
         };
+        let begin = watches.passes.begin();
         if out.len() < PARALLEL_FROM {
             let chunks = self.accelerations.chunks_mut(CHUNK);
             chunks.enumerate().for_each(add);
@@ -290,6 +303,7 @@ impl<const D: usize> Flock<D> {
             let chunks = self.accelerations.par_chunks_mut(CHUNK);
             chunks.enumerate().for_each(add);
         }
+        watches.passes.end(begin);
         for (&agent, acceleration) in scene.agents.iter().zip(&self.accelerations) {
             out[agent as usize] = *acceleration;
         }
@@ -308,22 +322,21 @@ fn relaxes<const D: usize>(law: &dyn Law<D>, stiff: bool) -> bool {
     law.relaxes() || (stiff && law.stiffness() > 0.0)
 }
 
-/// Some of the laws.
+/// Some of the laws, with their numbers.
 fn choose<'a, const D: usize>(
     laws: &'a [Box<dyn Law<D>>],
     chosen: &'a impl Fn(usize, &dyn Law<D>) -> bool,
-) -> impl Iterator<Item = &'a dyn Law<D>> + Clone {
+) -> impl Iterator<Item = (usize, &'a dyn Law<D>)> + Clone {
     let laws = laws.iter().map(|law| &**law).enumerate();
     laws.filter(|(index, law)| chosen(*index, *law))
-        .map(|(_, law)| law)
 }
 
 /// The largest distance at which some laws look for neighbours, and the side of cells that
 /// suits them: their largest finite range, for a search of all pairs looks into every cell.
 fn range_and_side<'a, const D: usize>(
-    laws: impl Iterator<Item = &'a dyn Law<D>> + Clone,
+    laws: impl Iterator<Item = (usize, &'a dyn Law<D>)> + Clone,
 ) -> [f64; 2] {
-    let ranges = laws.map(|law| law.range());
+    let ranges = laws.map(|(_, law)| law.range());
     let finite = ranges.clone().filter(|range| range.is_finite());
     let finite = finite.fold(0.0, f64::max);
     // Without neighbours to look for, one cell will do.
