@@ -9,6 +9,7 @@ mod determinism;
 mod files;
 mod input;
 mod points;
+mod profile;
 mod reduce;
 mod resume;
 mod scene;
