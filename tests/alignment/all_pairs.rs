@@ -34,7 +34,7 @@ fn compare<const D: usize>(law_of_file: Value, scope: Option<&ScopeSpec>)
 where
     In<D>: Geometry<D>,
 {
-    const COUNT: usize = 600;
+    const COUNT: usize = 300;
     let world = world::<D>(&[1.5; COUNT], law_of_file, json!({}));
     let mut dice = Dice(3);
     let x = dice.vectors::<D>(COUNT, -9.0, 9.0);
