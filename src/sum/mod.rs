@@ -6,6 +6,8 @@
 
 mod cloud;
 mod direct;
+#[cfg(test)]
+mod tests;
 mod tile;
 
 pub use cloud::{Cloud, Point, Sums};

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod all_pairs;
 mod formula;
 mod graph;
 mod promises;

@@ -15,8 +15,10 @@ impl Influence {
         match *self {
             Self::Constant(strength) => Some(visitor.with(Constant(strength))),
             Self::CuckerSmale {
-                strength, exponent, ..
-            } if exponent == 0.0 => Some(visitor.with(Constant(strength))),
+                strength,
+                exponent: 0.0,
+                ..
+            } => Some(visitor.with(Constant(strength))),
             Self::CuckerSmale {
                 strength,
                 length,
