@@ -154,11 +154,12 @@ where
     let pools = [1, 2].map(pool);
     let mut times = [Vec::new(), Vec::new()];
     let mut out = vec![Vector::zeros(); agents];
-    for _ in 0..10 * ROUNDS {
+    for _ in 0..5 * ROUNDS {
         pools[1].install(|| bodies.step(&mut flock).expect("a finite state"));
         let state = bodies.state();
         for (pool, times) in pools.iter().zip(&mut times) {
-            times.push(pool.install(|| seconds(|| flock.accelerations(&state, &mut out))));
+            let five = || (0..5).for_each(|_| flock.accelerations(&state, &mut out));
+            times.push(pool.install(|| seconds(five)) / 5.0);
         }
     }
     let scaling = median(ratios(&times[0], &times[1]));

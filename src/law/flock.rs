@@ -403,3 +403,52 @@ impl<const D: usize> Stage<D> {
         scene
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::law::AlphaInteraction;
+    use proptest::prelude::*;
+
+    fn flock() -> Flock<2> {
+        let spec = r#"{ "spacing": 2, "range": 2.5, "damping": 0.7 }"#;
+        let spec = serde_json::from_str(spec).expect("the law is well formed");
+        Flock::new(vec![Box::new(AlphaInteraction::new(&spec))])
+    }
+
+    fn accelerations(flock: &mut Flock<2>, x: &[Vector<2>], v: &[Vector<2>]) -> Vec<Vector<2>> {
+        let mut out = vec![Vector::zeros(); x.len()];
+        let state = State {
+            time: 0.0,
+            positions: x,
+            velocities: v,
+            headings: v,
+            groups: &vec![0; x.len()],
+            masses: &vec![1.0; x.len()],
+            rotations: &[],
+            obstacles: &[],
+        };
+        flock.accelerations(&state, &mut out);
+        out
+    }
+
+    proptest! {
+        /// Or a run that is resumed would not go on as it would have.
+        #[test]
+        fn what_a_flock_does_depends_on_its_state_alone(
+            start in prop::collection::vec(prop::array::uniform2(-6.0..6.0f64), 2..80),
+            pushes in prop::collection::vec(prop::array::uniform2(-1.0..1.0f64), 1..9),
+            speed in 0.0..0.2f64,
+        ) {
+            let mut x: Vec<Vector<2>> = start.into_iter().map(Vector::from).collect();
+            let mut old = flock();
+            for step in 0..20 {
+                let push = |k: usize| Vector::from(pushes[(k + step) % pushes.len()]);
+                let v: Vec<Vector<2>> = (0..x.len()).map(push).collect();
+                let fresh = accelerations(&mut flock(), &x, &v);
+                prop_assert_eq!(accelerations(&mut old, &x, &v), fresh);
+                x.iter_mut().zip(&v).for_each(|(x, v)| *x += v * speed);
+            }
+        }
+    }
+}

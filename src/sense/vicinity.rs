@@ -144,3 +144,95 @@ impl<const D: usize> Vicinity<D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::mean;
+    use proptest::prelude::*;
+
+    fn follow<const D: usize>(vicinity: &mut Vicinity<D>, positions: &[Vector<D>], range: f64) {
+        vicinity.follow(positions, mean(positions), range);
+    }
+
+    /// That nobody within range is missing, and that lists are in order and without the agent.
+    fn check<const D: usize>(vicinity: &Vicinity<D>, positions: &[Vector<D>], range: f64) {
+        for (i, position) in positions.iter().enumerate() {
+            let others = vicinity.of(i as u32);
+            assert!(others.is_sorted() && !others.contains(&(i as u32)));
+            for (j, other) in positions.iter().enumerate() {
+                let near = i != j && (other - position).norm_squared() <= range * range;
+                assert!(!near || others.contains(&(j as u32)), "{i} misses {j}");
+            }
+        }
+    }
+
+    fn drift<const D: usize>(start: &[[f64; D]], pushes: &[[f64; D]], range: f64, speed: f64) {
+        let mut positions: Vec<Vector<D>> = start.iter().map(|at| Vector::from(*at)).collect();
+        let mut vicinity = Vicinity::default();
+        for step in 0..40 {
+            follow(&mut vicinity, &positions, range);
+            check(&vicinity, &positions, range);
+            for (k, position) in positions.iter_mut().enumerate() {
+                let push = Vector::from(pushes[(k + step) % pushes.len()]);
+                *position += push * speed + Vector::repeat(3.0);
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn nobody_within_range_is_missing_in_the_plane(
+            start in prop::collection::vec(prop::array::uniform2(-9.0..9.0f64), 1..60),
+            pushes in prop::collection::vec(prop::array::uniform2(-1.0..1.0f64), 1..9),
+            range in 0.1..6.0f64,
+            speed in 0.0..0.5f64,
+        ) {
+            drift(&start, &pushes, range, speed);
+        }
+
+        #[test]
+        fn nobody_within_range_is_missing_in_space(
+            start in prop::collection::vec(prop::array::uniform3(-4.0..4.0f64), 1..60),
+            pushes in prop::collection::vec(prop::array::uniform3(-1.0..1.0f64), 1..9),
+            range in 0.1..4.0f64,
+            speed in 0.0..0.5f64,
+        ) {
+            drift(&start, &pushes, range, speed);
+        }
+    }
+
+    #[test]
+    fn lists_serve_as_long_as_the_motion_is_common() {
+        let mut positions: Vec<Vector<2>> = (0..30)
+            .map(|k| Vector::<2>::new(f64::from(k), f64::from(k % 7)))
+            .collect();
+        let mut vicinity = Vicinity::default();
+        for _ in 0..50 {
+            follow(&mut vicinity, &positions, 2.5);
+            positions.iter_mut().for_each(|at| at[0] += 1e3);
+        }
+        assert_eq!(vicinity.uses, 49);
+        // A shorter range is served as well; another number of agents, or a longer range, not.
+        follow(&mut vicinity, &positions, 1.0);
+        assert_eq!(vicinity.uses, 50);
+        positions.pop();
+        follow(&mut vicinity, &positions, 1.0);
+        assert_eq!((vicinity.uses, vicinity.range()), (0, 1.0));
+        follow(&mut vicinity, &positions, 2.0);
+        assert_eq!((vicinity.uses, vicinity.range()), (0, 2.0));
+    }
+
+    #[test]
+    fn one_agent_that_moves_ends_them() {
+        let mut positions: Vec<Vector<2>> = (0..30)
+            .map(|k| Vector::<2>::new(3.0 * f64::from(k), 0.0))
+            .collect();
+        let mut vicinity = Vicinity::default();
+        follow(&mut vicinity, &positions, 1.0);
+        positions[29] = Vector::<2>::new(0.9, 0.0);
+        follow(&mut vicinity, &positions, 1.0);
+        assert_eq!(vicinity.uses, 0);
+        check(&vicinity, &positions, 1.0);
+    }
+}
