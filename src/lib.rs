@@ -63,6 +63,7 @@ pub mod schema;
 pub mod sense;
 pub mod shape;
 pub mod simulation;
+pub mod sum;
 pub mod trace;
 pub mod validate;
 pub mod world;

@@ -1,0 +1,3 @@
+//! Sums over all pairs of agents.
+
+pub mod fast;
