@@ -36,6 +36,7 @@
 //! From the bottom up; each module uses only those above it in this list.
 //!
 //! - [`math`]: vectors and the scalar functions that laws are made of
+//! - [`sum`]: sums over all pairs of points, on vector registers
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
 //! - [`world`]: the world file, read, checked and resolved
 //! - [`sense`]: what agents perceive, neighbours and obstacles

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
     "math",
+    "sum",
     "shape",
     "world",
     "sense",

@@ -23,19 +23,19 @@
 
 use crate::law::Law;
 use crate::law::pair_force::PairForce;
-use crate::math::{Vector, mean};
+use crate::math::{Repulsion, Vector, mean};
 use crate::sense::Scene;
 use crate::world::spec::{ActsAs, CuckerDongSpec, Share};
 
 /// Repulsion in proportion to the disagreement of the velocities; see the module.
-pub struct CuckerDong {
-    force: PairForce,
+pub struct CuckerDong<const D: usize> {
+    force: PairForce<D>,
     acts_as: ActsAs,
     /// Λ.
     disagreement: f64,
 }
 
-impl CuckerDong {
+impl<const D: usize> CuckerDong<D> {
     /// The law with the parameters of a world file.
     pub fn new(spec: &CuckerDongSpec) -> Self {
         let &CuckerDongSpec {
@@ -46,10 +46,17 @@ impl CuckerDong {
             acts_as,
             range,
         } = spec;
-        let f = move |squared: f64| {
-            strength / libm::pow((squared - squared_distance).max(floor), exponent)
+        let repulsion = Repulsion {
+            strength,
+            exponent,
+            squared_distance,
+            floor,
         };
-        Self::from_function(f, acts_as, range)
+        Self {
+            force: PairForce::repulsion(repulsion, range),
+            acts_as,
+            disagreement: 0.0,
+        }
     }
 
     /// The law with one's own f, a function of the squared distance, above 0. Without a range
@@ -67,7 +74,7 @@ impl CuckerDong {
     }
 }
 
-impl<const D: usize> Law<D> for CuckerDong {
+impl<const D: usize> Law<D> for CuckerDong<D> {
     fn name(&self) -> &str {
         "cucker_dong"
     }
@@ -90,10 +97,15 @@ impl<const D: usize> Law<D> for CuckerDong {
         self.disagreement = squares.sum::<f64>().sqrt();
     }
 
+    fn gather(&mut self, scene: &Scene<'_, D>) {
+        self.force.gather(scene);
+    }
+
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
-        for (i, acceleration) in (first..).zip(out) {
+        let forces = self.force.on(scene, first, out.len());
+        for ((i, acceleration), force) in (first..).zip(out).zip(forces) {
             let factor = self.disagreement * self.acts_as.factor(scene.mass(i));
-            *acceleration += self.force.on(scene, i) * factor;
+            *acceleration += force * factor;
         }
     }
 }

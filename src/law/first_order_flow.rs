@@ -20,12 +20,12 @@ use crate::sense::Scene;
 use crate::world::spec::{FirstOrderFlowSpec, Share};
 
 /// Steering to the velocities of a swarm of first order; see the module.
-pub struct FirstOrderFlow {
-    flow: PairForce,
+pub struct FirstOrderFlow<const D: usize> {
+    flow: PairForce<D>,
     rate: f64,
 }
 
-impl FirstOrderFlow {
+impl<const D: usize> FirstOrderFlow<D> {
     /// The law with the parameters of a world file.
     pub fn new(spec: &FirstOrderFlowSpec) -> Self {
         Self {
@@ -49,7 +49,7 @@ impl FirstOrderFlow {
     }
 }
 
-impl<const D: usize> Law<D> for FirstOrderFlow {
+impl<const D: usize> Law<D> for FirstOrderFlow<D> {
     fn name(&self) -> &str {
         "first_order_flow"
     }
@@ -66,9 +66,14 @@ impl<const D: usize> Law<D> for FirstOrderFlow {
         self.flow.prepare(scene);
     }
 
+    fn gather(&mut self, scene: &Scene<'_, D>) {
+        self.flow.gather(scene);
+    }
+
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
-        for (i, acceleration) in (first..).zip(out) {
-            *acceleration += (self.flow.on(scene, i) - scene.velocities[i]) * self.rate;
+        let flow = self.flow.on(scene, first, out.len());
+        for ((i, acceleration), flow) in (first..).zip(out).zip(flow) {
+            *acceleration += (flow - scene.velocities[i]) * self.rate;
         }
     }
 }

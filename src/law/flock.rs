@@ -249,6 +249,7 @@ impl<const D: usize> Flock<D> {
         let scene = self.stage.scene(state, &laws, senses, &self.history);
         for law in &mut laws {
             law.prepare(&scene);
+            law.gather(&scene);
         }
         let laws = &laws;
         self.accelerations.clear();

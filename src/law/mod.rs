@@ -5,6 +5,7 @@
 //! parameters to [`LawSpec`] and its line to [`build`].
 
 mod alignment;
+mod all_pairs;
 mod alpha_interaction;
 mod cucker_dong;
 mod field;
@@ -71,6 +72,11 @@ pub trait Law<const D: usize>: Send + Sync {
 
     /// Prepares what all agents share, before a scene's accelerations are asked for.
     fn prepare(&mut self, _scene: &Scene<'_, D>) {}
+
+    /// Sums over all pairs, after [`Law::prepare`] and before accelerations are asked for,
+    /// where the law acts on all agents of the scene: what it does not do here, it does where
+    /// it is asked.
+    fn gather(&mut self, _scene: &Scene<'_, D>) {}
 
     /// The law as a pull on the velocity of agent `i` of the scene, its links appended to
     /// `links`; nothing where the law is no average of velocities, or does not act on the

@@ -1,21 +1,24 @@
 //! Forces along the line between two agents, added up.
 
-use crate::math::{Potential, Vector};
+use crate::law::all_pairs::{AllPairs, SumsOf};
+use crate::math::{Potential, Repulsion, Vector};
 use crate::sense::Scene;
 use crate::world::spec::Share;
 
 /// A force along the line between two agents that depends on their distance alone:
 /// Σ_j f(r²)(x_i − x_j), where positive f repels, or that sum over N.
-pub(super) struct PairForce {
+pub(super) struct PairForce<const D: usize> {
     /// f, the force over the distance by the square of the distance.
     over_distance: Box<dyn Fn(f64) -> f64 + Send + Sync>,
     range: f64,
     share: Share,
     /// N where the share is the mean, 1 otherwise; known from `prepare` on.
     divisor: f64,
+    /// Where all pairs count, and f is one of the known ones.
+    all_pairs: Option<AllPairs<D>>,
 }
 
-impl PairForce {
+impl<const D: usize> PairForce<D> {
     /// From f, and the distance at which the force ends; without a range, nowhere.
     pub fn new(
         over_distance: impl Fn(f64) -> f64 + Send + Sync + 'static,
@@ -27,16 +30,30 @@ impl PairForce {
             range: range.unwrap_or(f64::INFINITY),
             share,
             divisor: 1.0,
+            all_pairs: None,
         }
     }
 
     /// The force of a potential.
     pub fn of(potential: Potential, share: Share, range: Option<f64>) -> Self {
-        Self::new(
-            move |squared| potential.force_over_distance(squared),
-            share,
-            range,
-        )
+        let force = move |squared| potential.force_over_distance(squared);
+        let all_pairs = potential.with_radial(SumsOf);
+        Self::new(force, share, range).over(all_pairs)
+    }
+
+    /// The repulsion of Cucker and Dong.
+    pub fn repulsion(repulsion: Repulsion, range: Option<f64>) -> Self {
+        let force = move |squared| repulsion.value(squared);
+        let all_pairs = repulsion.with_radial(SumsOf);
+        Self::new(force, Share::Sum, range).over(all_pairs)
+    }
+
+    /// The same, with sums over all pairs where nothing ends.
+    fn over(self, all_pairs: Option<AllPairs<D>>) -> Self {
+        Self {
+            all_pairs: all_pairs.filter(|_| self.range.is_infinite()),
+            ..self
+        }
     }
 
     /// As [`crate::law::Law::range`].
@@ -50,16 +67,39 @@ impl PairForce {
     }
 
     /// As [`crate::law::Law::prepare`].
-    pub fn prepare<const D: usize>(&mut self, scene: &Scene<'_, D>) {
+    pub fn prepare(&mut self, scene: &Scene<'_, D>) {
         self.divisor = match self.share {
             Share::Sum => 1.0,
             Share::Mean => scene.count().max(1) as f64,
         };
+        if let Some(all_pairs) = &mut self.all_pairs {
+            all_pairs.prepare(scene, scene.positions);
+        }
     }
 
-    /// The force on agent `i` of the scene. Agents at the same point have no line between
-    /// them and exert none.
-    pub fn on<const D: usize>(&self, scene: &Scene<'_, D>, i: usize) -> Vector<D> {
+    /// As [`crate::law::Law::gather`].
+    pub fn gather(&mut self, scene: &Scene<'_, D>) {
+        if let Some(all_pairs) = &mut self.all_pairs {
+            all_pairs.gather(scene);
+        }
+    }
+
+    /// The forces on `count` agents of the scene from number `first` on. Agents at the same
+    /// point have no line between them and exert none.
+    pub fn on(&self, scene: &Scene<'_, D>, first: usize, count: usize) -> Vec<Vector<D>> {
+        let all_pairs = self.all_pairs.as_ref();
+        let sums = all_pairs.and_then(|it| it.sums(scene, scene.positions, first, count));
+        match sums {
+            // What they carry is where they are: Σ f (x_j − x_i).
+            Some(sums) => sums.iter().map(|sums| -sums.drive / self.divisor).collect(),
+            None => (first..first + count)
+                .map(|i| self.one_by_one(scene, i) / self.divisor)
+                .collect(),
+        }
+    }
+
+    /// The sum over the neighbours of agent `i`.
+    fn one_by_one(&self, scene: &Scene<'_, D>, i: usize) -> Vector<D> {
         let mut sum = Vector::zeros();
         scene.neighbours(i, self.range, |neighbour| {
             if neighbour.squared > 0.0 {
@@ -67,6 +107,6 @@ impl PairForce {
                 sum -= neighbour.offset * (force * neighbour.weight);
             }
         });
-        sum / self.divisor
+        sum
     }
 }

@@ -26,12 +26,12 @@ use crate::sense::Scene;
 use crate::world::spec::{ActsAs, PairPotentialSpec, Share};
 
 /// Forces of a potential between any two agents; see the module.
-pub struct PairPotential {
-    force: PairForce,
+pub struct PairPotential<const D: usize> {
+    force: PairForce<D>,
     acts_as: ActsAs,
 }
 
-impl PairPotential {
+impl<const D: usize> PairPotential<D> {
     /// The law with the parameters of a world file.
     pub fn new(spec: &PairPotentialSpec) -> Self {
         Self {
@@ -56,7 +56,7 @@ impl PairPotential {
     }
 }
 
-impl<const D: usize> Law<D> for PairPotential {
+impl<const D: usize> Law<D> for PairPotential<D> {
     fn name(&self) -> &str {
         "pair_potential"
     }
@@ -73,9 +73,14 @@ impl<const D: usize> Law<D> for PairPotential {
         self.force.prepare(scene);
     }
 
+    fn gather(&mut self, scene: &Scene<'_, D>) {
+        self.force.gather(scene);
+    }
+
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
-        for (i, acceleration) in (first..).zip(out) {
-            *acceleration += self.force.on(scene, i) * self.acts_as.factor(scene.mass(i));
+        let forces = self.force.on(scene, first, out.len());
+        for ((i, acceleration), force) in (first..).zip(out).zip(forces) {
+            *acceleration += force * self.acts_as.factor(scene.mass(i));
         }
     }
 }

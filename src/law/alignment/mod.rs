@@ -43,9 +43,11 @@ mod masking;
 mod orientation;
 mod weights;
 
+use crate::law::all_pairs::{AllPairs, SumsOf};
 use crate::law::{Law, Link, Pull};
 use crate::math::{Influence, Vector};
 use crate::sense::{Neighbour, Scene};
+use crate::sum::Sums;
 use crate::world::World;
 use crate::world::spec::{AlignmentSpec, NormalisationSpec, RelaxationSpec, ScopeSpec};
 
@@ -71,6 +73,8 @@ pub struct Alignment<const D: usize> {
     sight: Option<LineOfSight<D>>,
     /// All agents, where it matters who stands between two.
     crowd: Crowd<D>,
+    /// Where influence is a known kernel of all pairs and nothing else.
+    all_pairs: Option<AllPairs<D>>,
     relaxation: RelaxationSpec,
     /// Number of agents that it can see, and the step of time: what its rates are judged by.
     visible: usize,
@@ -84,8 +88,15 @@ impl<const D: usize> Alignment<D> {
         let groups = &world.spec.agents;
         let sees = |group: &&usize| scope.is_none_or(|scope| scope.sees(&groups[**group]));
         let weights = |graph| Weights::new(graph, world.agents.len(), world.spec.seed);
+        let kernel = spec.kernel.influence();
+        let bare = spec.range.is_none()
+            && spec.graph.is_none()
+            && spec.orientation.is_none()
+            && spec.masking.is_none()
+            && spec.line_of_sight.is_none();
         Self {
-            kernel: spec.kernel.influence(),
+            all_pairs: kernel.with_radial(SumsOf).filter(|_| bare),
+            kernel,
             range: spec.range.unwrap_or(f64::INFINITY),
             normalisation: spec.normalisation,
             self_influence: spec.self_influence,
@@ -106,6 +117,7 @@ impl<const D: usize> Alignment<D> {
     pub fn with_kernel(self, kernel: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
         Self {
             kernel: Influence::own(kernel),
+            all_pairs: None,
             ..self
         }
     }
@@ -128,6 +140,7 @@ impl<const D: usize> Alignment<D> {
     ) -> Self {
         Self {
             weights: Some(Weights::own(influences)),
+            all_pairs: None,
             ..self
         }
     }
@@ -152,20 +165,23 @@ impl<const D: usize> Alignment<D> {
                 });
             }
         });
-        let mut own = self.own(scene, i);
+        let own = self.own(scene, i);
         let links = &mut links[first..];
+        let sum = links.iter().fold(own, |sum, link| sum + link.weight);
+        let divisor = self.divisor(sum, || scene.count());
+        links.iter_mut().for_each(|link| link.weight /= divisor);
+        own / divisor
+    }
+
+    /// What influences are divided by whose sum, a_ii included, is this, among some agents;
+    /// 1 where there are none.
+    fn divisor(&self, sum: f64, count: impl Fn() -> usize) -> f64 {
         let divisor = match self.normalisation {
-            NormalisationSpec::None => return own,
-            NormalisationSpec::MeanField => scene.count() as f64,
-            NormalisationSpec::MotschTadmor => {
-                links.iter().fold(own, |sum, link| sum + link.weight)
-            }
+            NormalisationSpec::None => 1.0,
+            NormalisationSpec::MeanField => count() as f64,
+            NormalisationSpec::MotschTadmor => sum,
         };
-        if divisor != 0.0 {
-            own /= divisor;
-            links.iter_mut().for_each(|link| link.weight /= divisor);
-        }
-        own
+        if divisor == 0.0 { 1.0 } else { divisor }
     }
 
     /// The influence of a neighbour before normalisation, whatever stands between.
@@ -194,6 +210,26 @@ impl<const D: usize> Alignment<D> {
         let weights = self.weights.as_ref();
         let me = scene.agents[i] as usize;
         self.kernel.value(0.0) * weights.map_or(1.0, |it| it.of_itself(me, scene.time))
+    }
+
+    /// Accelerations from the sums Σ φ and Σ φ(v_j − v_i) of each agent.
+    fn accelerate_by(
+        &self,
+        sums: &[Sums<D>],
+        scene: &Scene<'_, D>,
+        first: usize,
+        out: &mut [Vector<D>],
+    ) {
+        let count = scene.count();
+        let own = match self.self_influence {
+            true => self.kernel.value(0.0),
+            false => 0.0,
+        };
+        for ((i, acceleration), sums) in (first..).zip(out).zip(sums) {
+            let divisor = self.divisor(own + sums.weight, || count);
+            let gain = self.gains.of(scene.agents[i] as usize, scene.time);
+            *acceleration += gain.of(&(sums.drive / divisor));
+        }
     }
 
     /// The distance beyond which nobody has influence.
@@ -243,6 +279,15 @@ impl<const D: usize> Law<D> for Alignment<D> {
         if let Some(least) = body.into_iter().chain(mask).reduce(f64::min) {
             self.crowd.rebuild(scene.positions, least);
         }
+        if let Some(all_pairs) = &mut self.all_pairs {
+            all_pairs.prepare(scene, scene.velocities);
+        }
+    }
+
+    fn gather(&mut self, scene: &Scene<'_, D>) {
+        if let Some(all_pairs) = &mut self.all_pairs {
+            all_pairs.gather(scene);
+        }
     }
 
     fn pull(&self, scene: &Scene<'_, D>, i: usize, links: &mut Vec<Link<D>>) -> Option<Pull> {
@@ -276,6 +321,12 @@ impl<const D: usize> Law<D> for Alignment<D> {
     }
 
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
+        let all_pairs = self.all_pairs.as_ref();
+        if let Some(sums) =
+            all_pairs.and_then(|it| it.sums(scene, scene.velocities, first, out.len()))
+        {
+            return self.accelerate_by(&sums, scene, first, out);
+        }
         let mut links = Vec::new();
         for (k, acceleration) in out.iter_mut().enumerate() {
             let i = first + k;

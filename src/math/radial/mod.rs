@@ -9,15 +9,18 @@ mod influence;
 mod lanes;
 mod potential;
 mod power;
+mod repulsion;
 #[cfg(test)]
 mod tests;
+
+pub use repulsion::Repulsion;
 
 use pulp::{Arch, Scalar128b, Simd, WithSimd, bytemuck::cast};
 
 /// A function of the squared distance, on the lanes of vector registers.
 ///
 /// Squared distances go from 0 to [`LARGEST_SQUARE`].
-pub trait Radial: Copy + Send + Sync {
+pub trait Radial: Copy + Send + Sync + 'static {
     /// What lanes are to be multiplied by: a constant factor of all values, which sums take
     /// out of their loops.
     fn scale(&self) -> f64 {

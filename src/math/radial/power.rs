@@ -5,7 +5,7 @@ use pulp::Simd;
 use crate::math::radial::lanes::{InversePower, inverse_root};
 
 /// x^(−β) for normal x up to 2^1000.
-pub(super) trait Power: Copy + Send + Sync {
+pub(super) trait Power: Copy + Send + Sync + 'static {
     fn of<S: Simd>(&self, simd: S, x: S::f64s) -> S::f64s;
 }
 
@@ -34,22 +34,36 @@ pub(super) fn with_power<V: WithPower>(exponent: f64, visitor: V) -> Option<V::O
     let quarters = quarters as u32;
     let (whole, rest) = (quarters / 4, quarters % 4);
     Some(match (whole, rest) {
-        (whole, 0) => visitor.with(Root::<1>(whole)),
-        (_, 2) => visitor.with(Root::<2>(quarters / 2)),
-        (0, odd) => visitor.with(Root::<4>(odd)),
-        (whole, odd) => visitor.with((Root::<4>(odd), Root::<1>(whole))),
+        (1, 0) => visitor.with(Root::<1>),
+        (0, 2) => visitor.with(Root::<2>),
+        (0, 1) => visitor.with(Root::<4>),
+        (whole, 0) => visitor.with(Repeated(Root::<1>, whole)),
+        (_, 2) => visitor.with(Repeated(Root::<2>, quarters / 2)),
+        (0, odd) => visitor.with(Repeated(Root::<4>, odd)),
+        (whole, odd) => visitor.with((Repeated(Root::<4>, odd), Repeated(Root::<1>, whole))),
     })
 }
 
-/// x^(−n/R), n ≥ 1 and R = 1, 2 or 4.
+/// x^(−1/R), R = 1, 2 or 4.
 #[derive(Clone, Copy)]
-struct Root<const R: u32>(u32);
+struct Root<const R: u32>;
 
 impl<const R: u32> Power for Root<R> {
     #[inline(always)]
     fn of<S: Simd>(&self, simd: S, x: S::f64s) -> S::f64s {
-        let root = inverse_root::<S, R>(simd, x);
-        (1..self.0).fold(root, |power, _| simd.mul_f64s(power, root))
+        inverse_root::<S, R>(simd, x)
+    }
+}
+
+/// A power, multiplied by itself to make this many factors.
+#[derive(Clone, Copy)]
+struct Repeated<P>(P, u32);
+
+impl<P: Power> Power for Repeated<P> {
+    #[inline(always)]
+    fn of<S: Simd>(&self, simd: S, x: S::f64s) -> S::f64s {
+        let factor = self.0.of(simd, x);
+        (1..self.1).fold(factor, |product, _| simd.mul_f64s(product, factor))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Nodes between which a kernel is interpolated.
 
-use super::gemm::{LANES, padded};
+use super::gemm::LANES;
 
 /// The equally spaced nodes of the cells of a level. Their lattice goes on from cell to cell,
 /// so what a kernel does between nodes of two cells depends on differences of places alone; and
@@ -76,21 +76,16 @@ impl Lattice {
         }
     }
 
-    /// The matrix that interpolates from these nodes to the nodes that the children of a cell
-    /// have together, one row for each of those, each padded.
-    pub fn to_children(&self, children: &Lattice) -> Vec<f64> {
-        let fine = children.of_siblings();
-        let middle = (fine - 1) as f64 / 2.0;
-        let stride = padded(self.nodes);
-        let mut matrix = vec![0.0; fine * stride];
+    /// The weight of one node at a place.
+    pub fn weight(&self, node: usize, place: f64) -> f64 {
         let mut weights = vec![[0.0; LANES]; self.nodes];
-        for j in 0..fine {
-            let place = (j as f64 - middle) * children.spacing;
-            self.weights(&[place; LANES], &mut weights);
-            for (k, weight) in weights.iter().enumerate() {
-                matrix[j * stride + k] = weight[0];
-            }
-        }
-        matrix
+        self.weights(&[place; LANES], &mut weights);
+        weights[node][0]
+    }
+
+    /// Where a node of all children of one cell is, if these are theirs, relative to that
+    /// cell's centre.
+    pub fn sibling(&self, node: usize) -> f64 {
+        (node as f64 - (self.of_siblings() - 1) as f64 / 2.0) * self.spacing
     }
 }

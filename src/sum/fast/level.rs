@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::convolution::{Channels, Convolution, Scratch};
 use super::grade::{Grade, Profile};
+use super::grid::Change;
 use super::lattice::Lattice;
 use super::lists::Lists;
 
@@ -16,23 +17,29 @@ pub(super) struct Level<const D: usize> {
     pub side: f64,
     pub grade: Grade,
     pub lattice: Lattice,
-    /// How far apart the parents are whose children tell each other.
+    /// How far apart the parents may be whose children tell each other.
     pub reach_above: usize,
     /// From all children of one cell to all those of another.
     pub siblings: Convolution<D>,
     /// The same between two children that are too near for that, with the other sign; absent
     /// where none are.
     pub near: Option<Convolution<D>>,
+    /// From all children of one cell to its own nodes and back; absent below the root, which
+    /// has none.
+    pub changes: Option<[Change; 2]>,
 }
 
 impl<const D: usize> Level<D> {
+    /// The level below `above`, or the first.
     pub fn new(
         profile: &Profile<'_>,
         channels: Channels,
         side: f64,
         grade: Grade,
-        reach_above: usize,
+        above: Option<&Self>,
     ) -> Self {
+        // Without a level above there is the root alone.
+        let reach_above = above.and_then(|above| above.grade.reach).unwrap_or(0);
         let lattice = Lattice::new(grade.nodes, side);
         let (pitch, siblings) = (lattice.pitch(), lattice.of_siblings());
         let reach = grade.reach.unwrap_or(0);
@@ -66,6 +73,12 @@ impl<const D: usize> Level<D> {
             near: grade
                 .reach
                 .map(|reach| Convolution::new(grade.nodes, pitch, reach, channels, kernel(-1.0))),
+            changes: above.map(|above| {
+                [
+                    Change::up(&lattice, &above.lattice),
+                    Change::down(&above.lattice, &lattice),
+                ]
+            }),
             lattice,
         }
     }

@@ -1,0 +1,120 @@
+//! Sums over all pairs, for laws that need no more of a pair than its distance.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::Arc;
+
+use crate::math::{LARGEST_SQUARE, Radial, Vector, WithRadial};
+use crate::sense::Scene;
+use crate::sum::{Cloud, Point, Sums, at, mutual};
+
+/// The sums Σ_j φ(r_ij²) and Σ_j φ(r_ij²)(c_j − c_i) over all agents j that a law sees, where
+/// they see each other as they are.
+///
+/// A law that acts on all agents has them worked out at once, each pair for both of its
+/// agents; in a scope they are worked out for the agents that are asked for. The two agree to
+/// rounding, and neither depends on the number of threads.
+#[derive(Clone)]
+pub(super) struct AllPairs<const D: usize> {
+    radial: Arc<dyn Direct<D>>,
+    cloud: Cloud<D>,
+    /// Whether the scene is one of which sums can be had.
+    ready: bool,
+    /// The sums of all agents, where they were worked out at once.
+    gathered: Vec<Sums<D>>,
+}
+
+/// The two ways to sum.
+trait Direct<const D: usize>: Send + Sync {
+    fn mutual(&self, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>);
+    fn at(&self, targets: &Cloud<D>, sources: &Cloud<D>) -> Vec<Sums<D>>;
+}
+
+struct Of<K>(K);
+
+impl<K: Radial, const D: usize> Direct<D> for Of<K> {
+    fn mutual(&self, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>) {
+        mutual(self.0, cloud, sums);
+    }
+
+    fn at(&self, targets: &Cloud<D>, sources: &Cloud<D>) -> Vec<Sums<D>> {
+        at(self.0, targets, sources)
+    }
+}
+
+/// Makes the sums of a radial function.
+pub(super) struct SumsOf<const D: usize>;
+
+impl<const D: usize> WithRadial for SumsOf<D> {
+    type Output = AllPairs<D>;
+
+    fn with<K: Radial>(self, radial: K) -> AllPairs<D> {
+        AllPairs {
+            radial: Arc::new(Of(radial)),
+            cloud: Cloud::default(),
+            ready: false,
+            gathered: Vec::new(),
+        }
+    }
+}
+
+impl<const D: usize> AllPairs<D> {
+    /// As [`crate::law::Law::prepare`], with what the agents of the scene carry.
+    pub fn prepare(&mut self, scene: &Scene<'_, D>, carried: &[Vector<D>]) {
+        self.gathered.clear();
+        self.ready = scene.perception.is_none() && is_tame(scene.positions);
+        if self.ready {
+            let seen = (0..scene.positions.len()).filter(|&i| scene.sees(i));
+            self.cloud.refill(seen.map(|i| point(scene, carried, i)));
+        }
+    }
+
+    /// As [`crate::law::Law::gather`].
+    pub fn gather(&mut self, scene: &Scene<'_, D>) {
+        if self.ready && scene.visible.is_none() {
+            self.radial.mutual(&self.cloud, &mut self.gathered);
+        }
+    }
+
+    /// The sums of `count` agents of the scene from number `first` on; nothing where the
+    /// agents must be looked at one by one.
+    pub fn sums(
+        &self,
+        scene: &Scene<'_, D>,
+        carried: &[Vector<D>],
+        first: usize,
+        count: usize,
+    ) -> Option<Cow<'_, [Sums<D>]>> {
+        let range = first..first + count;
+        if !self.ready {
+            return None;
+        }
+        if !self.gathered.is_empty() {
+            return Some(Cow::Borrowed(&self.gathered[range]));
+        }
+        let mut targets = Cloud::default();
+        targets.refill(range.map(|i| point(scene, carried, i)));
+        Some(Cow::Owned(self.radial.at(&targets, &self.cloud)))
+    }
+}
+
+fn point<const D: usize>(scene: &Scene<'_, D>, carried: &[Vector<D>], i: usize) -> Point<D> {
+    Point {
+        number: i,
+        position: scene.positions[i],
+        carried: carried[i],
+    }
+}
+
+/// Whether squared distances are at most [`LARGEST_SQUARE`].
+fn is_tame<const D: usize>(positions: &[Vector<D>]) -> bool {
+    let largest = positions.iter().map(|x| x.amax()).fold(0.0, f64::max);
+    // No distance is more than 2√D times that, and lengths of kernels come on top.
+    largest <= 0.1 * LARGEST_SQUARE.sqrt()
+}
+
+impl<const D: usize> fmt::Debug for AllPairs<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AllPairs").finish_non_exhaustive()
+    }
+}
