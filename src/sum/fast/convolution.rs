@@ -29,7 +29,7 @@ pub(super) struct Channels {
 }
 
 /// Sums between cells of one size.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Convolution<const D: usize> {
     arch: Arch,
     channels: Channels,

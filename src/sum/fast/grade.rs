@@ -10,12 +10,6 @@ use super::lattice::Lattice;
 /// Most nodes along an axis: with more, equally spaced ones lose to rounding what they gain.
 const MOST: usize = 20;
 
-/// How many times the requested error a single pair at the worst places may be off by.
-///
-/// A sum over many pairs is off by far less: the worst places are few, at the ends of
-/// cells, and the errors of pairs have no common sign.
-pub(super) const SLACK: f64 = 10.0;
-
 /// How many nodes more than between distant cells are worth it to have no near cells at all.
 const EXTRA: usize = 3;
 

@@ -34,7 +34,7 @@ pub(super) fn overlay<const D: usize>(
 }
 
 /// A change of the nodes along every axis.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Change {
     to: usize,
     from: usize,
@@ -91,7 +91,14 @@ impl Change {
         let [first, second] = scratch;
         first.resize(rows * narrow, 0.0);
         let turned = (&self.turned[..], narrow);
-        multiply(arch, [rows, from, narrow], (values, padded(from)), turned, first, false);
+        multiply(
+            arch,
+            [rows, from, narrow],
+            (values, padded(from)),
+            turned,
+            first,
+            false,
+        );
         let matrix = (&self.matrix[..], from);
         let last = if D == 2 {
             first
@@ -99,7 +106,14 @@ impl Change {
             second.resize(from * to * narrow, 0.0);
             let planes = first.chunks_exact(from * narrow);
             for (plane, out) in planes.zip(second.chunks_exact_mut(to * narrow)) {
-                multiply(arch, [to, from, narrow], matrix, (plane, narrow), out, false);
+                multiply(
+                    arch,
+                    [to, from, narrow],
+                    matrix,
+                    (plane, narrow),
+                    out,
+                    false,
+                );
             }
             second
         };

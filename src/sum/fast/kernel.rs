@@ -35,9 +35,7 @@ impl Kernel {
         match self {
             Self::Influence(influence) => influence.value(squared),
             // At 0 it is multiplied by nothing; that it is no exception there keeps it smooth.
-            Self::Force(potential) => {
-                potential.force_over_distance(squared.max(f64::MIN_POSITIVE))
-            }
+            Self::Force(potential) => potential.force_over_distance(squared.max(f64::MIN_POSITIVE)),
         }
     }
 

@@ -12,13 +12,11 @@ use super::lists::Lists;
 const GROUP: usize = 8;
 
 /// The nodes of cells of one side, and what they tell each other.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Level<const D: usize> {
     pub side: f64,
     pub grade: Grade,
     pub lattice: Lattice,
-    /// How far apart the parents may be whose children tell each other.
-    pub reach_above: usize,
     /// From all children of one cell to all those of another.
     pub siblings: Convolution<D>,
     /// The same between two children that are too near for that, with the other sign; absent
@@ -68,7 +66,6 @@ impl<const D: usize> Level<D> {
         Self {
             side,
             grade,
-            reach_above,
             siblings: Convolution::new(siblings, 2 * pitch, reach_above, channels, kernel(1.0)),
             near: grade
                 .reach

@@ -90,7 +90,8 @@ impl<K: Radial, const D: usize> Loops<'_, '_, K, D> {
             along,
             wanted,
         } = self.nearby;
-        let places: [&[S::f64s]; D] = std::array::from_fn(|axis| S::as_simd_f64s(&crowd.rows[axis]).0);
+        let places: [&[S::f64s]; D] =
+            std::array::from_fn(|axis| S::as_simd_f64s(&crowd.rows[axis]).0);
         let count = places[0].len();
         let places = places.map(|row| &row[..count]);
         let given: [&[S::f64s]; G] =

@@ -27,7 +27,7 @@ pub(super) struct Passes<'a, const D: usize> {
 }
 
 /// Numbers at nodes, kept from one time to the next.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Nodes {
     /// Sources: of the cells of the level at hand, of all children of a cell together, and the
     /// latter of the level below.
@@ -127,7 +127,11 @@ impl<const D: usize> Passes<'_, D> {
         // Where all children are too near for all others, there is nothing to tell and nothing
         // to take back.
         let some_tell = |sides: &[i64; D]| {
-            let far = sides.iter().map(|side| side.unsigned_abs()).max().unwrap_or(0) as usize;
+            let far = sides
+                .iter()
+                .map(|side| side.unsigned_abs())
+                .max()
+                .unwrap_or(0) as usize;
             level.grade.reach.is_none_or(|reach| 2 * far + 1 > reach)
         };
         let mut sources = Lists::default();
@@ -147,15 +151,21 @@ impl<const D: usize> Passes<'_, D> {
         let many = size::<D>(level.lattice.of_siblings());
         let together = zeros(together, sources.len() * wanted * many);
         let spectra = &mut nodes.spectra;
-        tell(&level.siblings, &nodes.together, &sources, spectra, together);
+        tell(
+            &level.siblings,
+            &nodes.together,
+            &sources,
+            spectra,
+            together,
+        );
         let one = size::<D>(level.lattice.nodes);
         let own = zeros(own, cells.len() * wanted * one);
         if let Some(convolution) = &level.near {
             let mut sources = Lists::default();
             for (place, cell) in cells.iter().enumerate() {
                 for near in near[index].of(place) {
-                    let [mine, theirs] = [cell, &cells[near.cell as usize]]
-                        .map(|cell| &parents[cell.parent].at);
+                    let [mine, theirs] =
+                        [cell, &cells[near.cell as usize]].map(|cell| &parents[cell.parent].at);
                     if some_tell(&std::array::from_fn(|axis| mine[axis] - theirs[axis])) {
                         sources.push((near.cell, convolution.way(near.sides)));
                     }
@@ -244,7 +254,9 @@ impl<const D: usize> Passes<'_, D> {
                 });
                 for (agent, sums) in sums.chunks_exact_mut(wanted).enumerate() {
                     let channels = channels.iter();
-                    sums.iter_mut().zip(channels).for_each(|(sum, channel)| *sum = channel[agent]);
+                    sums.iter_mut()
+                        .zip(channels)
+                        .for_each(|(sum, channel)| *sum = channel[agent]);
                 }
             },
         );

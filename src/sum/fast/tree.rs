@@ -32,7 +32,7 @@ impl<const D: usize> Cell<D> {
 }
 
 /// The tree: cells by level, the root alone in the first.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Tree<const D: usize> {
     pub levels: Vec<Vec<Cell<D>>>,
     /// The agents in the order of the tree: by cell, at every level.
