@@ -217,7 +217,7 @@ impl<const D: usize> Convolution<D> {
             for (table, out) in [(&self.cosines, &mut *even), (&self.sines, &mut *odd)] {
                 self.square(table, second, out, false);
             }
-            let [mut re, mut im] = [[0.0; 128]; 2].map(|row| row[..long].to_vec());
+            let [mut re, mut im] = [vec![0.0; long], vec![0.0; long]];
             for (k, (even, odd)) in even
                 .chunks_exact(2 * long)
                 .zip(odd.chunks_exact(2 * long))
