@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use crate::math::{LARGEST_SQUARE, Radial, Vector, WithRadial};
 use crate::sense::Scene;
+use crate::sum::fast::{FastSums, Kernel};
 use crate::sum::{Cloud, Point, Sums, at, mutual};
+use crate::world::spec::{FastSpec, SummationSpec};
 
 /// Fewer agents are looked at one by one: that is as quick, and small worlds' runs stay what
 /// they were to the last bit.
@@ -26,6 +28,8 @@ pub(super) struct AllPairs<const D: usize> {
     ready: bool,
     /// The sums of all agents, where they were worked out at once.
     gathered: Vec<Sums<D>>,
+    /// The fast way, and from how many agents on it is taken.
+    fast: Option<(FastSums<D>, usize)>,
 }
 
 /// The two ways to sum.
@@ -58,11 +62,28 @@ impl<const D: usize> WithRadial for SumsOf<D> {
             cloud: Cloud::default(),
             ready: false,
             gathered: Vec::new(),
+            fast: None,
         }
     }
 }
 
 impl<const D: usize> AllPairs<D> {
+    /// The same, with the fast way where it is wanted and can be had.
+    pub fn summed(self, summation: SummationSpec, kernel: Kernel) -> Self {
+        let (fast, from) = match summation {
+            SummationSpec::Direct => (None, 0),
+            SummationSpec::Auto => {
+                let error = FastSpec::default().relative_error;
+                (FastSums::new(kernel, error), FastSums::<D>::CROSSOVER)
+            }
+            SummationSpec::Fast(fast) => (FastSums::new(kernel, fast.relative_error), 0),
+        };
+        Self {
+            fast: fast.map(|fast| (fast, from)),
+            ..self
+        }
+    }
+
     /// As [`crate::law::Law::prepare`], with what the agents of the scene carry.
     pub fn prepare(&mut self, scene: &Scene<'_, D>, carried: &[Vector<D>]) {
         self.gathered.clear();
@@ -74,9 +95,15 @@ impl<const D: usize> AllPairs<D> {
         }
     }
 
-    /// As [`crate::law::Law::gather`].
-    pub fn gather(&mut self, scene: &Scene<'_, D>) {
+    /// As [`crate::law::Law::gather`], with what the agents carry.
+    pub fn gather(&mut self, scene: &Scene<'_, D>, carried: &[Vector<D>]) {
         if self.ready && scene.visible.is_none() {
+            if let Some((fast, from)) = &mut self.fast
+                && scene.positions.len() >= *from
+                && fast.run(scene.positions, carried, &mut self.gathered)
+            {
+                return;
+            }
             self.radial.mutual(&self.cloud, &mut self.gathered);
         }
     }

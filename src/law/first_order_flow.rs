@@ -17,7 +17,7 @@ use crate::law::Law;
 use crate::law::pair_force::PairForce;
 use crate::math::Vector;
 use crate::sense::Scene;
-use crate::world::spec::{FirstOrderFlowSpec, Share};
+use crate::world::spec::{FirstOrderFlowSpec, Share, SummationSpec};
 
 /// Steering to the velocities of a swarm of first order; see the module.
 pub struct FirstOrderFlow<const D: usize> {
@@ -29,7 +29,12 @@ impl<const D: usize> FirstOrderFlow<D> {
     /// The law with the parameters of a world file.
     pub fn new(spec: &FirstOrderFlowSpec) -> Self {
         Self {
-            flow: PairForce::of(spec.potential, spec.share, spec.range),
+            flow: PairForce::of(
+                spec.potential,
+                spec.share,
+                spec.range,
+                SummationSpec::Direct,
+            ),
             rate: spec.rate,
         }
     }

@@ -3,7 +3,8 @@
 use crate::law::all_pairs::{AllPairs, SumsOf};
 use crate::math::{Potential, Repulsion, Vector};
 use crate::sense::Scene;
-use crate::world::spec::Share;
+use crate::sum::fast::Kernel;
+use crate::world::spec::{Share, SummationSpec};
 
 /// A force along the line between two agents that depends on their distance alone:
 /// Σ_j f(r²)(x_i − x_j), where positive f repels, or that sum over N.
@@ -34,10 +35,16 @@ impl<const D: usize> PairForce<D> {
         }
     }
 
-    /// The force of a potential.
-    pub fn of(potential: Potential, share: Share, range: Option<f64>) -> Self {
+    /// The force of a potential, summed in some way where it is summed over all pairs.
+    pub fn of(
+        potential: Potential,
+        share: Share,
+        range: Option<f64>,
+        summation: SummationSpec,
+    ) -> Self {
         let force = move |squared| potential.force_over_distance(squared);
-        let all_pairs = potential.with_radial(SumsOf);
+        let all_pairs: Option<AllPairs<D>> = potential.with_radial(SumsOf);
+        let all_pairs = all_pairs.map(|it| it.summed(summation, Kernel::Force(potential)));
         Self::new(force, share, range).over(all_pairs)
     }
 
@@ -80,7 +87,7 @@ impl<const D: usize> PairForce<D> {
     /// As [`crate::law::Law::gather`].
     pub fn gather(&mut self, scene: &Scene<'_, D>) {
         if let Some(all_pairs) = &mut self.all_pairs {
-            all_pairs.gather(scene);
+            all_pairs.gather(scene, scene.positions);
         }
     }
 

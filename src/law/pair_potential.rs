@@ -35,7 +35,7 @@ impl<const D: usize> PairPotential<D> {
     /// The law with the parameters of a world file.
     pub fn new(spec: &PairPotentialSpec) -> Self {
         Self {
-            force: PairForce::of(spec.potential, spec.share, spec.range),
+            force: PairForce::of(spec.potential, spec.share, spec.range, spec.summation),
             acts_as: spec.acts_as,
         }
     }

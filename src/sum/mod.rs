@@ -6,6 +6,7 @@
 
 mod cloud;
 mod direct;
+pub mod fast;
 #[cfg(test)]
 mod tests;
 mod tile;

@@ -48,8 +48,11 @@ use crate::law::{Law, Link, Pull};
 use crate::math::{Influence, Vector};
 use crate::sense::{Neighbour, Scene};
 use crate::sum::Sums;
+use crate::sum::fast::Kernel;
 use crate::world::World;
-use crate::world::spec::{AlignmentSpec, NormalisationSpec, RelaxationSpec, ScopeSpec};
+use crate::world::spec::{
+    AlignmentSpec, NormalisationSpec, RelaxationSpec, ScopeSpec, SummationSpec,
+};
 
 use crowd::Crowd;
 use gains::Gains;
@@ -94,8 +97,15 @@ impl<const D: usize> Alignment<D> {
             && spec.orientation.is_none()
             && spec.masking.is_none()
             && spec.line_of_sight.is_none();
+        // What is left of a sum without the agent itself may be too little to be told from it.
+        let alone = spec.normalisation == NormalisationSpec::MotschTadmor && !spec.self_influence;
+        let summation = match alone {
+            true => SummationSpec::Direct,
+            false => spec.summation,
+        };
         Self {
-            all_pairs: kernel.with_radial(SumsOf).filter(|_| bare),
+            all_pairs: (kernel.with_radial(SumsOf).filter(|_| bare))
+                .map(|it| it.summed(summation, Kernel::Influence(kernel.clone()))),
             kernel,
             range: spec.range.unwrap_or(f64::INFINITY),
             normalisation: spec.normalisation,
@@ -286,7 +296,7 @@ impl<const D: usize> Law<D> for Alignment<D> {
 
     fn gather(&mut self, scene: &Scene<'_, D>) {
         if let Some(all_pairs) = &mut self.all_pairs {
-            all_pairs.gather(scene);
+            all_pairs.gather(scene, scene.velocities);
         }
     }
 

@@ -22,6 +22,7 @@ impl Check {
         world: &WorldSpec,
     ) {
         self.finite(&format!("{path}.range"), law.range);
+        self.alignment_summation(path, law, scope, world);
         let at_zero = law.kernel.influence().largest();
         if at_zero > LARGEST {
             let what = format!("gives an influence of {} at distance 0", number(at_zero));

@@ -123,7 +123,7 @@ impl Check {
                 self.alignment(&format!("{path}.alignment"), law, scope, world);
             }
             LawSpec::PairPotential(law) => {
-                self.pair_potential(&format!("{path}.pair_potential"), law);
+                self.pair_potential(&format!("{path}.pair_potential"), law, scope, world);
             }
             LawSpec::CuckerDong(law) => self.cucker_dong(&format!("{path}.cucker_dong"), law),
             LawSpec::ParkBonding(law) => {

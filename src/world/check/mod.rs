@@ -12,6 +12,7 @@ mod pattern;
 mod sensing;
 mod start;
 mod steering;
+mod summation;
 mod time_function;
 mod trajectory;
 

@@ -9,8 +9,15 @@ use crate::world::spec::{
 };
 
 impl Check {
-    pub(super) fn pair_potential(&mut self, path: &str, law: &PairPotentialSpec) {
+    pub(super) fn pair_potential(
+        &mut self,
+        path: &str,
+        law: &PairPotentialSpec,
+        scope: Option<&ScopeSpec>,
+        world: &WorldSpec,
+    ) {
         self.finite(&format!("{path}.range"), law.range);
+        self.potential_summation(path, law, scope, world);
     }
 
     pub(super) fn cucker_dong(&mut self, path: &str, law: &CuckerDongSpec) {

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::sensing::HALF_TURN;
-use super::{ActsAs, GraphSpec, TimeFunctionSpec, Values};
+use super::{ActsAs, GraphSpec, SummationSpec, TimeFunctionSpec, Values};
 use crate::math::{Bump, Influence};
 
 /// Velocity alignment: the acceleration of agent i is g(|u_i|) u_i with
@@ -44,6 +44,9 @@ pub struct AlignmentSpec {
     pub graph: Option<GraphSpec>,
     /// How the dynamics integrate the law.
     pub relaxation: RelaxationSpec,
+    /// How influences are summed. Where the law relaxes, they are not, but followed one by one.
+    #[serde(skip_serializing_if = "SummationSpec::is_auto")]
+    pub summation: SummationSpec,
 }
 
 impl Default for AlignmentSpec {
@@ -61,6 +64,7 @@ impl Default for AlignmentSpec {
             line_of_sight: None,
             graph: None,
             relaxation: RelaxationSpec::Auto,
+            summation: SummationSpec::Auto,
         }
     }
 }

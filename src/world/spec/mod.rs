@@ -21,6 +21,7 @@ mod scope;
 mod sensing;
 mod start;
 mod steering;
+mod summation;
 mod time_function;
 mod trajectory;
 mod values;
@@ -54,6 +55,7 @@ pub use start::{
     VelocityBallSpec, VelocityBoxSpec, VelocitySpec,
 };
 pub use steering::{FlatnessSpec, SteeringSpec, TrackingSpec};
+pub use summation::{FastSpec, SummationSpec};
 pub use time_function::{InterpolationSpec, TimeFunctionSpec, VaryingSpec};
 pub use trajectory::{FormationSpec, MillRingSpec, NumbersSpec, TrajectoriesSpec, TrajectorySpec};
 pub use values::{ActsAs, Values, spread};

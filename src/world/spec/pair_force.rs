@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::ActsAs;
 use super::law::one;
+use super::{ActsAs, SummationSpec};
 use crate::math::Potential;
 
 /// Forces of a potential between any two agents: Song et al. (2013), (8), (16), (17), and Shi,
@@ -26,6 +26,9 @@ pub struct PairPotentialSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub range: Option<f64>,
+    /// How the forces are summed.
+    #[serde(default, skip_serializing_if = "SummationSpec::is_auto")]
+    pub summation: SummationSpec,
 }
 
 /// How the forces of the others on one agent add up.

@@ -1,0 +1,133 @@
+//! Fast sums over all pairs against direct ones.
+//!
+//! `cargo bench --bench fast_sums` prints tables, on one thread. Both are timed in turns within
+//! one run, and the ratio is the median of the rounds' ratios.
+
+use std::time::Instant;
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use volary::math::{Influence, Potential, Radial, Vector, WithRadial};
+use volary::sum::fast::{FastSums, Kernel};
+use volary::sum::{Cloud, Point, Sums, mutual};
+
+/// Rounds in turns.
+const ROUNDS: usize = 5;
+
+/// Agents in a box of some side, with velocities.
+fn flock<const D: usize>(count: usize, side: f64) -> [Vec<Vector<D>>; 2] {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let mut draw = || (random.next_u64() >> 11) as f64 * 0.5f64.powi(53);
+    let mut vectors = |size: f64| {
+        (0..count)
+            .map(|_| Vector::from_fn(|_, _| draw() * size))
+            .collect()
+    };
+    [vectors(side), vectors(1.0)]
+}
+
+struct Direct<'a, const D: usize>(&'a Cloud<D>, &'a mut Vec<Sums<D>>);
+
+impl<const D: usize> WithRadial for Direct<'_, D> {
+    type Output = ();
+
+    fn with<K: Radial>(self, radial: K) {
+        mutual(radial, self.0, self.1);
+    }
+}
+
+fn direct<const D: usize>(kernel: &Kernel, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>) {
+    let direct = Direct(cloud, sums);
+    match kernel {
+        Kernel::Influence(influence) => influence.with_radial(direct),
+        Kernel::Force(potential) => potential.with_radial(direct),
+    }
+    .expect("a known kernel");
+}
+
+fn seconds(work: impl FnOnce()) -> f64 {
+    let begin = Instant::now();
+    work();
+    begin.elapsed().as_secs_f64()
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Prints a row of times, and returns that of the fast sums.
+fn compare<const D: usize>(name: &str, kernel: &Kernel, count: usize, side: f64) -> f64 {
+    let [positions, velocities] = flock::<D>(count, side);
+    let carried = match kernel {
+        Kernel::Influence(_) => &velocities,
+        Kernel::Force(_) => &positions,
+    };
+    let mut fast = FastSums::new(kernel.clone(), 1e-6).expect("a smooth kernel");
+    let mut sums = Vec::new();
+    assert!(fast.run(&positions, carried, &mut sums), "nodes do");
+    // Direct sums of more than so many are those of so many, times the square of the ratio.
+    let part = count.min(20_000);
+    let mut cloud = Cloud::default();
+    cloud.refill((0..part).map(|number| Point {
+        number,
+        position: positions[number],
+        carried: carried[number],
+    }));
+    let scale = (count as f64 / part as f64).powi(2);
+    let (mut slow, mut quick) = (Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        slow.push(scale * seconds(|| direct(kernel, &cloud, &mut sums)));
+        quick.push(seconds(|| {
+            fast.run(&positions, carried, &mut sums);
+        }));
+    }
+    let ratios = slow.iter().zip(&quick).map(|(slow, quick)| slow / quick);
+    let (ratio, quick) = (median(ratios.collect()), median(quick));
+    let slow = median(slow);
+    println!("| {name} | {D} | {count} | {side:.0} | {slow:.3} | {quick:.3} | {ratio:.1} |");
+    quick
+}
+
+/// The most memory that was ever held, in GiB, where the system tells.
+fn memory() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM"))?;
+    let kilobytes: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kilobytes / 1024.0 / 1024.0)
+}
+
+fn series<const D: usize>(name: &str, kernel: &Kernel, side: impl Fn(usize) -> f64) {
+    let counts = [3_000, 10_000, 30_000, 100_000, 1_000_000];
+    let times = counts.map(|count| compare::<D>(name, kernel, count, side(count)));
+    let exponent = (times[4] / times[1]).log10() / 2.0;
+    let memory = memory().map_or("unknown".to_owned(), |gib| format!("{gib:.2} GiB"));
+    println!(
+        "| {name} | {D} | growth from 10,000 to 1,000,000: {exponent:.2} | memory so far: {memory} |"
+    );
+}
+
+fn main() {
+    let influence = Kernel::Influence(Influence::CuckerSmale {
+        strength: 1.0,
+        length: 1.0,
+        exponent: 0.5,
+    });
+    let gaussian = Kernel::Force(Potential::Gaussian {
+        height: 1.0,
+        decay: 1.0,
+    });
+    println!("| kernel | dimension | agents | side | direct, s | fast, s | direct / fast |");
+    println!("|---|---|---|---|---|---|---|");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    pool.expect("a thread can be made").install(|| {
+        for (name, kernel) in [("Cucker-Smale", &influence), ("Gaussian", &gaussian)] {
+            // A length of the kernel apart, so that the box grows.
+            series::<2>(name, kernel, |count| (count as f64).sqrt());
+            series::<3>(name, kernel, |count| (count as f64).cbrt());
+        }
+        // A box that does not.
+        series::<2>("Cucker-Smale, fixed box", &influence, |_| 30.0);
+        series::<3>("Cucker-Smale, fixed box", &influence, |_| 10.0);
+    });
+}
