@@ -12,8 +12,9 @@ pub struct Finding {
     pub verdict: Verdict,
     /// How far the verdict is from another: of a bound the least distance from it as a share
     /// of the bound, negative where it is crossed; of a limit 1 less the share of its largest
-    /// value that is left in the last half, or minus that share where it is refuted; of a hypothesis that is not met by how much it fails,
-    /// negative. Null where there is nothing to measure.
+    /// value that is left in the last half, or minus that share where it is refuted; of a
+    /// hypothesis that is not met by how much it fails, negative. Null where there is nothing
+    /// to measure.
     pub margin: Option<f64>,
     /// The time at which the run came closest to failing, or failed; null where that has no
     /// time.

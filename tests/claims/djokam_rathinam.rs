@@ -351,6 +351,18 @@ fn velocities_lie_between_those_that_differ_most() {
     holds("djokam-rathinam/velocity-hull", &run);
     holds("djokam-rathinam/velocity-hull", &bodies(&world));
     unmet("djokam-rathinam/velocity-hull", &same);
+    // Influences of what is seen late are not those of the model.
+    let late = plane(
+        "djokam-rathinam/fast-0.1",
+        &[
+            "time.end=0.5",
+            "agents[0].sensing={\"delay\":0.1}",
+            "laws[0].alignment.relaxation=\"never\"",
+            "laws[0].alignment.epsilon=1",
+            "laws[0].alignment.gain=1",
+        ],
+    );
+    unmet("djokam-rathinam/common-influence", &bodies(&late));
 }
 
 #[test]

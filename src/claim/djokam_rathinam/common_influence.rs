@@ -14,7 +14,7 @@ const ABOUT: About = About {
     statement: "|⟨Su, w⟩| ≤ M Ū W̄ (1 − λ²(θ) θ²) for antisymmetric |S_ij| ≤ M, u and w ≥ 0 and every \
                 θ > 0. As Theorem 1 uses it: S_ij = ⟨v_p − v_q, v_i − v_j⟩ with M = d_V², and for u \
                 and w the influences on p and q, the agents whose velocities differ most.",
-    hypotheses: "Alignment of all agents; velocities that differ.",
+    hypotheses: "Alignment of all agents, who perceive each other as they are; velocities that differ.",
     measured: "|⟨v_p − v_q, v̄_p − v̄_q⟩|, which is |⟨Su, w⟩|, at each observation, against the bound \
                with the θ for which it is strongest.",
     tolerance: "1e-12 of d_V max|v_i|, for rounding.",
@@ -31,6 +31,7 @@ impl<const D: usize> Claim<D> for CommonInfluence {
     fn judge(&self, run: &Run<'_, D>) -> Option<Finding> {
         let model = Model::of(run)?;
         let mut judging = Judging::of_states();
+        judging.suppose_perception(run.world);
         model.suppose_aligned(&mut judging);
         let spreads: Vec<_> = run.observations.iter().map(velocity_spread).collect();
         let differ = spreads.iter().any(|it| it.length > 0.0);
@@ -39,11 +40,8 @@ impl<const D: usize> Claim<D> for CommonInfluence {
             return Some(judging.finding());
         }
         let (mut values, mut bounds, mut slack) = (vec![], vec![], vec![]);
-        for (seen, (terms, spread)) in run
-            .observations
-            .iter()
-            .zip(model.all_terms().iter().zip(&spreads))
-        {
+        let all = model.all_terms();
+        for (seen, (terms, spread)) in run.observations.iter().zip(all.iter().zip(&spreads)) {
             let [p, q] = spread.pair;
             let apart = seen.velocities[p] - seen.velocities[q];
             let averages = average(terms, seen, p) - average(terms, seen, q);
