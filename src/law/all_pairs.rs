@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use crate::math::{LARGEST_SQUARE, Radial, Vector, WithRadial};
+use crate::math::{LARGEST_SQUARE, Vector};
 use crate::sense::Scene;
 use crate::sum::fast::{FastSums, Kernel};
-use crate::sum::{Cloud, Point, Sums, at, mutual};
+use crate::sum::{Cloud, Direct, Fast, Point, Summable, Sums, direct, fast_sums};
 use crate::world::spec::{FastSpec, SummationSpec};
 
 /// Fewer agents are looked at one by one: that is as quick, and small worlds' runs stay what
@@ -22,61 +22,37 @@ const FROM: usize = 64;
 /// rounding, and neither depends on the number of threads.
 #[derive(Clone)]
 pub(super) struct AllPairs<const D: usize> {
-    radial: Arc<dyn Direct<D>>,
+    direct: Arc<dyn Direct<D>>,
     cloud: Cloud<D>,
     /// Whether the scene is one of which sums can be had.
     ready: bool,
     /// The sums of all agents, where they were worked out at once.
     gathered: Vec<Sums<D>>,
     /// The fast way, and from how many agents on it is taken.
-    fast: Option<(FastSums<D>, usize)>,
+    fast: Option<(Box<dyn Fast<D>>, usize)>,
 }
 
-/// The two ways to sum.
-trait Direct<const D: usize>: Send + Sync {
-    fn mutual(&self, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>);
-    fn at(&self, targets: &Cloud<D>, sources: &Cloud<D>) -> Vec<Sums<D>>;
-}
-
-struct Of<K>(K);
-
-impl<K: Radial, const D: usize> Direct<D> for Of<K> {
-    fn mutual(&self, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>) {
-        mutual(self.0, cloud, sums);
-    }
-
-    fn at(&self, targets: &Cloud<D>, sources: &Cloud<D>) -> Vec<Sums<D>> {
-        at(self.0, targets, sources)
-    }
-}
-
-/// Makes the sums of a radial function.
-pub(super) struct SumsOf<const D: usize>;
-
-impl<const D: usize> WithRadial for SumsOf<D> {
-    type Output = AllPairs<D>;
-
-    fn with<K: Radial>(self, radial: K) -> AllPairs<D> {
-        AllPairs {
-            radial: Arc::new(Of(radial)),
+impl<const D: usize> AllPairs<D> {
+    /// The sums of a function; nothing where it is not known on lanes.
+    pub fn new(function: &impl Summable) -> Option<Self> {
+        Some(Self {
+            direct: direct(function)?,
             cloud: Cloud::default(),
             ready: false,
             gathered: Vec::new(),
             fast: None,
-        }
+        })
     }
-}
 
-impl<const D: usize> AllPairs<D> {
     /// The same, with the fast way where it is wanted and can be had.
     pub fn summed(self, summation: SummationSpec, kernel: Kernel) -> Self {
         let (fast, from) = match summation {
             SummationSpec::Direct => (None, 0),
             SummationSpec::Auto => {
                 let error = FastSpec::default().relative_error;
-                (FastSums::new(kernel, error), FastSums::<D>::CROSSOVER)
+                (fast_sums(kernel, error), FastSums::<D>::CROSSOVER)
             }
-            SummationSpec::Fast(fast) => (FastSums::new(kernel, fast.relative_error), 0),
+            SummationSpec::Fast(fast) => (fast_sums(kernel, fast.relative_error), 0),
         };
         Self {
             fast: fast.map(|fast| (fast, from)),
@@ -104,7 +80,7 @@ impl<const D: usize> AllPairs<D> {
             {
                 return;
             }
-            self.radial.mutual(&self.cloud, &mut self.gathered);
+            self.direct.mutual(&self.cloud, &mut self.gathered);
         }
     }
 
@@ -126,7 +102,7 @@ impl<const D: usize> AllPairs<D> {
         }
         let mut targets = Cloud::default();
         targets.refill(range.map(|i| point(scene, carried, i)));
-        Some(Cow::Owned(self.radial.at(&targets, &self.cloud)))
+        Some(Cow::Owned(self.direct.at(&targets, &self.cloud)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Forces along the line between two agents, added up.
 
-use crate::law::all_pairs::{AllPairs, SumsOf};
+use crate::law::all_pairs::AllPairs;
 use crate::math::{Potential, Repulsion, Vector};
 use crate::sense::Scene;
 use crate::sum::fast::Kernel;
@@ -43,7 +43,7 @@ impl<const D: usize> PairForce<D> {
         summation: SummationSpec,
     ) -> Self {
         let force = move |squared| potential.force_over_distance(squared);
-        let all_pairs: Option<AllPairs<D>> = potential.with_radial(SumsOf);
+        let all_pairs: Option<AllPairs<D>> = AllPairs::new(&potential);
         let all_pairs = all_pairs.map(|it| it.summed(summation, Kernel::Force(potential)));
         Self::new(force, share, range).over(all_pairs)
     }
@@ -51,7 +51,7 @@ impl<const D: usize> PairForce<D> {
     /// The repulsion of Cucker and Dong.
     pub fn repulsion(repulsion: Repulsion, range: Option<f64>) -> Self {
         let force = move |squared| repulsion.value(squared);
-        let all_pairs = repulsion.with_radial(SumsOf);
+        let all_pairs = AllPairs::new(&repulsion);
         Self::new(force, Share::Sum, range).over(all_pairs)
     }
 

@@ -10,6 +10,8 @@ pub mod fast;
 #[cfg(test)]
 mod tests;
 mod tile;
+mod ways;
 
 pub use cloud::{Cloud, Point, Sums};
 pub use direct::{at, mutual};
+pub use ways::{Direct, DirectWays, Fast, Summable, Ways, direct, fast as fast_sums};

@@ -43,7 +43,7 @@ mod masking;
 mod orientation;
 mod weights;
 
-use crate::law::all_pairs::{AllPairs, SumsOf};
+use crate::law::all_pairs::AllPairs;
 use crate::law::{Law, Link, Pull};
 use crate::math::{Influence, Vector};
 use crate::sense::{Neighbour, Scene};
@@ -104,7 +104,7 @@ impl<const D: usize> Alignment<D> {
             false => spec.summation,
         };
         Self {
-            all_pairs: (kernel.with_radial(SumsOf).filter(|_| bare))
+            all_pairs: (AllPairs::new(&kernel).filter(|_| bare))
                 .map(|it| it.summed(summation, Kernel::Influence(kernel.clone()))),
             kernel,
             range: spec.range.unwrap_or(f64::INFINITY),
