@@ -36,6 +36,7 @@
 //! From the bottom up; each module uses only those above it in this list.
 //!
 //! - [`profile`]: where the time goes
+//! - [`parallel`]: work shared out over threads
 //! - [`math`]: vectors and the scalar functions that laws are made of
 //! - [`sum`]: sums over all pairs of points, on vector registers
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
@@ -60,6 +61,7 @@ pub mod law;
 pub mod math;
 pub mod metric;
 pub mod net;
+pub mod parallel;
 pub mod profile;
 pub mod reduced;
 pub mod schema;

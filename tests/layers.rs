@@ -3,8 +3,9 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 17] = [
+const LAYERS: [&str; 18] = [
     "profile",
+    "parallel",
     "math",
     "sum",
     "shape",

@@ -29,6 +29,16 @@ pub struct Cuts {
     pub speed: u64,
 }
 
+/// What, besides the limits, decides about a body's force.
+pub(super) struct Limited<'a, const D: usize> {
+    /// The force of the step before; none at the start, when any may come.
+    pub(super) before: Option<Vector<D>>,
+    /// The velocity that the body will have without.
+    pub(super) coasting: &'a Vector<D>,
+    /// How much velocity a unit of force adds.
+    pub(super) gain: f64,
+}
+
 /// The actuators of all bodies; each list has one entry for each agent.
 pub(super) struct Actuators {
     force_limits: Vec<f64>,
@@ -50,23 +60,23 @@ impl Actuators {
         }
     }
 
-    /// The force that a body exerts when told to exert `force`, after one of `before`; none
-    /// at the start, when any may come. `coasting` is the velocity that the body will have
-    /// without, and `gain` how much velocity a unit of force adds.
+    /// The force that a body exerts when told to exert `force`; counts what it was cut by.
     pub(super) fn act<const D: usize>(
-        &mut self,
+        &self,
         body: usize,
-        force: Vector<D>,
-        before: Option<Vector<D>>,
-        coasting: &Vector<D>,
-        gain: f64,
+        mut force: Vector<D>,
+        Limited {
+            before,
+            coasting,
+            gain,
+        }: Limited<'_, D>,
+        cuts: &mut Cuts,
     ) -> Vector<D> {
-        let mut force = force;
         if self.force_limits[body].is_finite() {
             let size = force.norm();
             if size > self.force_limits[body] {
                 force *= self.force_limits[body] / size;
-                self.cuts.force += 1;
+                cuts.force += 1;
             }
         }
         if let Some(before) = before
@@ -76,7 +86,7 @@ impl Actuators {
             let size = change.norm();
             if size > self.changes[body] {
                 force = before + change * (self.changes[body] / size);
-                self.cuts.rate += 1;
+                cuts.rate += 1;
             }
         }
         if self.top_speeds[body].is_finite() {
@@ -85,7 +95,7 @@ impl Actuators {
             let speed = velocity.norm();
             if speed > fastest {
                 force = (velocity * (fastest / speed) - coasting) / gain;
-                self.cuts.speed += 1;
+                cuts.speed += 1;
             }
         }
         force
@@ -94,6 +104,13 @@ impl Actuators {
     /// Whether a body may go at this speed.
     pub(super) fn allow(&self, body: usize, speed: f64) -> bool {
         speed <= self.top_speeds[body]
+    }
+
+    /// Adds to what was counted.
+    pub(super) fn count(&mut self, more: Cuts) {
+        self.cuts.force += more.force;
+        self.cuts.rate += more.rate;
+        self.cuts.speed += more.speed;
     }
 
     /// Goes on counting from what was counted before.

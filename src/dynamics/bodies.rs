@@ -24,15 +24,19 @@ mod touch;
 
 pub use state::BodiesState;
 
+use rayon::prelude::*;
+
 use crate::dynamics::actuator::Actuators;
 use crate::dynamics::attitude::Attitudes;
 use crate::dynamics::failure::{Failure, LARGEST};
 use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched, turn};
 use crate::law::{Flock, Pulls, State};
 use crate::math::{Vector, axis};
+use crate::parallel::{CHUNK, for_each};
 use crate::profile::Stopwatch;
 use crate::shape::{In, Obstacle};
 use crate::world::World;
+use decision::Verdict;
 use touch::{set_speeds, sort};
 
 /// Agents as rigid bodies.
@@ -70,6 +74,8 @@ pub struct Bodies<const D: usize> {
     /// The pulls of the laws that relax.
     pulls: Pulls<D>,
     touches: Vec<Touch<D>>,
+    /// Scratch: what came of the decisions for each chunk of agents.
+    verdicts: Vec<Verdict<D>>,
     /// The engine's own steps, and finding out what touched.
     watches: [Stopwatch; 2],
 }
@@ -124,6 +130,7 @@ impl<const D: usize> Bodies<D> {
             ahead: zeros,
             pulls: Pulls::default(),
             touches: Vec::new(),
+            verdicts: Vec::new(),
             watches: Default::default(),
         };
         bodies.turn();
@@ -160,9 +167,20 @@ impl<const D: usize> Bodies<D> {
         self.watches[1].end(begin);
         let (positions, velocities) = &mut self.next;
         self.physics.read(positions, &mut self.engine_velocities);
-        for (i, velocity) in velocities.iter_mut().enumerate() {
-            *velocity = self.engine_velocities[i] + self.ahead[i];
-        }
+        let chunks = velocities.par_chunks_mut(CHUNK);
+        let engine = self.engine_velocities.par_chunks(CHUNK);
+        let chunks = chunks.zip(engine.zip(self.ahead.par_chunks(CHUNK)));
+        for_each(
+            self.masses.len(),
+            chunks,
+            |(velocities, (engine, ahead))| {
+                for (velocity, (engine, ahead)) in
+                    velocities.iter_mut().zip(engine.iter().zip(ahead))
+                {
+                    *velocity = engine + ahead;
+                }
+            },
+        );
         for touch in &self.touches {
             velocities[touch.agent] = self.engine_velocities[touch.agent];
             if let Touched::Agent(other) = touch.touched {

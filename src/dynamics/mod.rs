@@ -18,10 +18,12 @@ pub use failure::Failure;
 pub use mover::{Dynamics, Mover, MoverState};
 pub use points::{Accuracy, Points, PointsState, Solver};
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::math::{Matrix, Vector, direction};
+use crate::parallel::{CHUNK, for_each};
 use crate::shape::{Geometry, In, Obstacle};
 use crate::world::World;
 
@@ -51,12 +53,17 @@ pub struct Snapshot<'a, const D: usize> {
 
 /// Turns headings along the velocities; of who rests, it stays as it was.
 fn turn<const D: usize>(headings: &mut [Vector<D>], velocities: &[Vector<D>]) {
-    for (heading, velocity) in headings.iter_mut().zip(velocities) {
-        let along = direction(velocity);
-        if along.norm_squared() > 0.0 {
-            *heading = along;
+    let agents = headings.len();
+    let chunks = headings.par_chunks_mut(CHUNK);
+    let chunks = chunks.zip(velocities.par_chunks(CHUNK));
+    for_each(agents, chunks, |(headings, velocities)| {
+        for (heading, velocity) in headings.iter_mut().zip(velocities) {
+            let along = direction(velocity);
+            if along.norm_squared() > 0.0 {
+                *heading = along;
+            }
         }
-    }
+    });
 }
 
 /// What drives the bodies through one step.
@@ -116,7 +123,7 @@ pub struct Touch<const D: usize> {
 }
 
 /// A world of rigid bodies: one for each agent, and the obstacles.
-pub trait Physics<const D: usize>: Send {
+pub trait Physics<const D: usize>: Send + Sync {
     /// Copies the positions and the engine's velocities of the agents.
     fn read(&self, positions: &mut [Vector<D>], velocities: &mut [Vector<D>]);
 

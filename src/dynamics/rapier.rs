@@ -12,7 +12,7 @@ use super::rapier::prelude::{
 use super::{D, angular, geometry, matrix, rotation, spin, weight, without_gyration};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched, Unusable};
 use crate::math::{Matrix, Vector};
-use crate::sense::{CHUNK, PARALLEL_FROM};
+use crate::parallel::{CHUNK, for_each};
 use crate::shape::{In, Obstacle, Pose};
 use crate::world::World;
 use crate::world::spec::HeadingSpec;
@@ -369,14 +369,13 @@ impl Physics<D> for Rapier {
                 *velocity = body.linvel().to_array().into();
             }
         };
-        if self.bodies.len() < PARALLEL_FROM {
-            read(((positions, velocities), &self.bodies));
-        } else {
-            let out = positions.par_chunks_mut(CHUNK);
-            out.zip(velocities.par_chunks_mut(CHUNK))
-                .zip(self.bodies.par_chunks(CHUNK))
-                .for_each(read);
-        }
+        let out = positions.par_chunks_mut(CHUNK);
+        let out = out.zip(velocities.par_chunks_mut(CHUNK));
+        for_each(
+            self.bodies.len(),
+            out.zip(self.bodies.par_chunks(CHUNK)),
+            read,
+        );
     }
 
     fn read_attitudes(&self, rotations: &mut [Matrix<D>], spins: &mut [Vector<3>]) {

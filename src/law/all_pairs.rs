@@ -5,6 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::math::{LARGEST_SQUARE, Vector};
+use crate::parallel::gather;
 use crate::sense::Scene;
 use crate::sum::fast::{FastSums, Kernel};
 use crate::sum::{Cloud, Direct, Fast, Point, Summable, Sums, direct, fast_sums};
@@ -26,10 +27,14 @@ pub(super) struct AllPairs<const D: usize> {
     cloud: Cloud<D>,
     /// Whether the scene is one of which sums can be had.
     ready: bool,
-    /// The sums of all agents, where they were worked out at once.
+    /// The sums of all agents, where they were worked out at once: in the order of the scene,
+    /// and, to come there, in that of the world.
     gathered: Vec<Sums<D>>,
+    by_agent: Vec<Sums<D>>,
     /// The fast way, and from how many agents on it is taken.
     fast: Option<(Box<dyn Fast<D>>, usize)>,
+    /// What it is told in the order of the world: where the agents are and what they carry.
+    told: [Vec<Vector<D>>; 2],
 }
 
 impl<const D: usize> AllPairs<D> {
@@ -40,7 +45,9 @@ impl<const D: usize> AllPairs<D> {
             cloud: Cloud::default(),
             ready: false,
             gathered: Vec::new(),
+            by_agent: Vec::new(),
             fast: None,
+            told: Default::default(),
         })
     }
 
@@ -66,7 +73,7 @@ impl<const D: usize> AllPairs<D> {
         let many = scene.positions.len() >= FROM;
         self.ready = many && scene.perception.is_none() && is_tame(scene.positions);
         if self.ready {
-            let seen = (0..scene.positions.len()).filter(|&i| scene.sees(i));
+            let seen = scene.in_world_order(|i| i).filter(|&i| scene.sees(i));
             self.cloud.refill(seen.map(|i| point(scene, carried, i)));
         }
     }
@@ -74,14 +81,28 @@ impl<const D: usize> AllPairs<D> {
     /// As [`crate::law::Law::gather`], with what the agents carry.
     pub fn gather(&mut self, scene: &Scene<'_, D>, carried: &[Vector<D>]) {
         if self.ready && scene.visible.is_none() {
-            if let Some((fast, from)) = &mut self.fast
-                && scene.positions.len() >= *from
-                && fast.run(scene.positions, carried, &mut self.gathered)
-            {
+            self.add_up(scene, carried);
+            self.gathered.clone_from(&self.by_agent);
+            gather(scene.agents, &self.by_agent, &mut self.gathered);
+        }
+    }
+
+    /// Sums in the order of the world, over all agents.
+    fn add_up(&mut self, scene: &Scene<'_, D>, carried: &[Vector<D>]) {
+        if let Some((fast, from)) = &mut self.fast
+            && scene.positions.len() >= *from
+        {
+            let [positions, numbers] = &mut self.told;
+            for (told, values) in [(positions, scene.positions), (numbers, carried)] {
+                told.clear();
+                told.extend(scene.in_world_order(|i| values[i]));
+            }
+            let [positions, numbers] = &self.told;
+            if fast.run(positions, numbers, &mut self.by_agent) {
                 return;
             }
-            self.direct.mutual(&self.cloud, &mut self.gathered);
         }
+        self.direct.mutual(&self.cloud, &mut self.by_agent);
     }
 
     /// The sums of `count` agents of the scene from number `first` on; nothing where the
@@ -108,7 +129,7 @@ impl<const D: usize> AllPairs<D> {
 
 fn point<const D: usize>(scene: &Scene<'_, D>, carried: &[Vector<D>], i: usize) -> Point<D> {
     Point {
-        number: i,
+        number: scene.agents[i] as usize,
         position: scene.positions[i],
         carried: carried[i],
     }

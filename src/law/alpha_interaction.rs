@@ -71,59 +71,63 @@ impl<const D: usize> Law<D> for AlphaInteraction {
 
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
         let mut batch = Batch::new();
-        let mut sums = [Vector::zeros(); AGENTS];
-        for (block, out) in out.chunks_mut(AGENTS).enumerate() {
-            let first = first + block * AGENTS;
-            sums.fill(Vector::zeros());
-            for k in 0..out.len() {
-                let p = scene.velocities[first + k];
-                scene.neighbours(first + k, self.pair.range, |neighbour| {
-                    batch.push(k, p, &neighbour);
-                    if batch.len == PAIRS {
-                        self.add(&mut batch, &mut sums);
-                    }
-                });
-            }
-            self.add(&mut batch, &mut sums);
-            for (acceleration, sum) in out.iter_mut().zip(&sums) {
-                *acceleration += sum;
+        for (k, i) in (first..first + out.len()).enumerate() {
+            let p = scene.velocities[i];
+            scene.neighbours(i, self.pair.range, |neighbour| {
+                if batch.len == PAIRS {
+                    batch.end(k);
+                    self.add(&mut batch, out);
+                }
+                batch.push(&p, &neighbour);
+            });
+            batch.end(k);
+            if batch.agents == AGENTS {
+                self.add(&mut batch, out);
             }
         }
+        self.add(&mut batch, out);
     }
 }
 
 impl AlphaInteraction {
-    /// Adds what the pairs of a batch exert to their agents' sums, and empties it.
-    fn add<const D: usize>(&self, batch: &mut Batch<D>, sums: &mut [Vector<D>; AGENTS]) {
-        let n = batch.len;
-        let (ratios, weights) = (&mut batch.ratios[..n], &mut batch.weights[..n]);
+    /// Adds what the pairs of a batch exert to the sums of their agents, and empties it.
+    fn add<const D: usize>(&self, batch: &mut Batch<D>, sums: &mut [Vector<D>]) {
+        // Whole registers, be it that the last pairs are none.
+        let lanes = ..batch.len.next_multiple_of(LANES);
+        let (ratios, weights) = (&mut batch.ratios[lanes], &mut batch.weights[lanes]);
         self.pair
-            .ratios_and_weights(&batch.squared[..n], ratios, weights);
-        for pair in 0..n {
-            let cone = batch.cones[pair];
-            let weight = match self.weighted_damping {
-                true => batch.weights[pair],
-                false => 1.0,
-            };
-            let sum = &mut sums[batch.agents[pair] as usize];
-            *sum += batch.offsets[pair] * (batch.ratios[pair] * cone);
-            *sum += batch.velocities[pair] * (self.damping * weight * cone);
+            .ratios_and_weights(&batch.squared[lanes], ratios, weights);
+        let mut begin = 0;
+        for &(agent, end) in &batch.ends[..batch.agents] {
+            let (mut force, mut drift) = (Vector::zeros(), Vector::zeros());
+            for pair in begin..end {
+                let cone = batch.cones[pair];
+                let weight = match self.weighted_damping {
+                    true => batch.weights[pair],
+                    false => 1.0,
+                };
+                force += batch.offsets[pair] * (batch.ratios[pair] * cone);
+                drift += batch.velocities[pair] * (weight * cone);
+            }
+            sums[agent] += force + drift * self.damping;
+            begin = end;
         }
-        batch.len = 0;
+        (batch.len, batch.agents) = (0, 0);
     }
 }
 
-/// Agents whose pairs are gathered together.
+/// Agents and pairs that are worked out together, at most.
 const AGENTS: usize = 32;
-
-/// Pairs that are worked out together.
 const PAIRS: usize = 256;
 
-/// Pairs of agents and their neighbours, component by component.
+/// Pairs in the widest registers.
+const LANES: usize = 8;
+
+/// Some agents, and pairs of each with its neighbours.
 struct Batch<const D: usize> {
-    len: usize,
-    /// The agent of each pair, counted from the first of the block.
-    agents: [u8; PAIRS],
+    /// The agents, and where the pairs of each end.
+    ends: [(usize, usize); AGENTS],
+    agents: usize,
     squared: [f64; PAIRS],
     offsets: [Vector<D>; PAIRS],
     /// Of the neighbour, less that of the agent.
@@ -132,30 +136,37 @@ struct Batch<const D: usize> {
     cones: [f64; PAIRS],
     ratios: [f64; PAIRS],
     weights: [f64; PAIRS],
+    len: usize,
 }
 
 impl<const D: usize> Batch<D> {
     fn new() -> Self {
         Self {
-            len: 0,
-            agents: [0; PAIRS],
+            ends: [(0, 0); AGENTS],
+            agents: 0,
             squared: [0.0; PAIRS],
             offsets: [Vector::zeros(); PAIRS],
             velocities: [Vector::zeros(); PAIRS],
             cones: [0.0; PAIRS],
             ratios: [0.0; PAIRS],
             weights: [0.0; PAIRS],
+            len: 0,
         }
     }
 
     #[inline]
-    fn push(&mut self, agent: usize, velocity: Vector<D>, neighbour: &Neighbour<D>) {
+    fn push(&mut self, velocity: &Vector<D>, neighbour: &Neighbour<D>) {
         let k = self.len;
-        self.agents[k] = agent as u8;
         self.squared[k] = neighbour.squared;
         self.offsets[k] = neighbour.offset;
         self.velocities[k] = neighbour.velocity - velocity;
         self.cones[k] = neighbour.weight;
         self.len += 1;
+    }
+
+    /// The pairs so far, and after those that ended before, are this agent's.
+    fn end(&mut self, agent: usize) {
+        self.ends[self.agents] = (agent, self.len);
+        self.agents += 1;
     }
 }

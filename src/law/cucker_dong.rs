@@ -90,7 +90,7 @@ impl<const D: usize> Law<D> for CuckerDong<D> {
     fn prepare(&mut self, scene: &Scene<'_, D>) {
         self.force.prepare(scene);
         let velocity = |place: usize| scene.sees(place).then_some(scene.velocities[place]);
-        let seen = scene.in_world_order(velocity).into_iter().flatten();
+        let seen = scene.in_world_order(velocity).flatten();
         let seen: Vec<Vector<D>> = seen.collect();
         let mean = mean(&seen);
         let squares = seen.iter().map(|velocity| (velocity - mean).norm_squared());

@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
+use crate::law::stage::{Stage, ranges};
 use crate::law::watches::Watches;
 use crate::law::{Law, Pulls, build};
-use crate::math::{Matrix, Vector, mean};
-use crate::sense::{
-    CHUNK, Cells, History, Near, PARALLEL_FROM, Perception, Scene, Senses, Vicinity,
-};
+use crate::math::{Matrix, Vector};
+use crate::parallel::{CHUNK, for_each, gather};
+use crate::sense::{History, Senses};
 use crate::shape::Obstacle;
 use crate::world::World;
 
@@ -18,22 +18,9 @@ pub struct Flock<const D: usize> {
     senses: Option<Senses<D>>,
     history: History<D>,
     stage: Stage<D>,
-    /// Scratch: accelerations in the order of the cells.
+    /// Scratch: accelerations in the order of the scene.
     accelerations: Vec<Vector<D>>,
     watches: Watches,
-}
-
-/// The state in the order of the cells, kept from step to step to save allocations.
-#[derive(Default)]
-struct Stage<const D: usize> {
-    cells: Cells<D>,
-    velocities: Vec<Vector<D>>,
-    headings: Vec<Vector<D>>,
-    groups: Vec<u32>,
-    perception: Perception<D>,
-    vicinity: Vicinity<D>,
-    /// Place in the scene of each agent of the world.
-    places: Vec<u32>,
 }
 
 /// A state of the agents and what stands around them: the input of a flock.
@@ -206,7 +193,7 @@ impl<const D: usize> Flock<D> {
     /// The links: who perceives whom within the largest range of the laws, as pairs of
     /// agents, the one that perceives first; sorted.
     pub fn links(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
-        let ranges @ [range, _] = range_and_side(choose(&self.laws, &|_, _| true));
+        let ranges @ [range, _] = ranges(choose(&self.laws, &|_, _| true));
         let senses = self.senses.as_ref();
         let scene = self.stage.scene(state, ranges, senses, &self.history);
         let mut links = Vec::new();
@@ -224,7 +211,7 @@ impl<const D: usize> Flock<D> {
     /// The lines of sight in which something weakens or blocks an influence, for some law, as
     /// pairs of agents, the one that looks first; sorted.
     pub fn blocked(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
-        let ranges = range_and_side(choose(&self.laws, &|_, _| true));
+        let ranges = ranges(choose(&self.laws, &|_, _| true));
         let senses = self.senses.as_ref();
         let scene = self.stage.scene(state, ranges, senses, &self.history);
         let mut blocked = Vec::new();
@@ -241,14 +228,14 @@ impl<const D: usize> Flock<D> {
         blocked
     }
 
-    /// The pulls of some of the laws, agent by agent in the order of the cells.
+    /// The pulls of some of the laws.
     fn pulls_of(
         &mut self,
         chosen: impl Fn(usize, &dyn Law<D>) -> bool,
         state: &State<'_, D>,
         pulls: &mut Pulls<D>,
     ) {
-        let ranges = range_and_side(choose(&self.laws, &chosen));
+        let ranges = ranges(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
         let watches = &self.watches;
         let begin = watches.senses.begin();
@@ -272,7 +259,7 @@ impl<const D: usize> Flock<D> {
         state: &State<'_, D>,
         out: &mut [Vector<D>],
     ) {
-        let ranges = range_and_side(choose(&self.laws, &chosen));
+        let ranges = ranges(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
         let watches = &self.watches;
         let begin = watches.senses.begin();
@@ -296,26 +283,15 @@ impl<const D: usize> Flock<D> {
             }
         };
         let begin = watches.passes.begin();
-        if out.len() < PARALLEL_FROM {
-            let chunks = self.accelerations.chunks_mut(CHUNK);
-            chunks.enumerate().for_each(add);
-        } else {
-            let chunks = self.accelerations.par_chunks_mut(CHUNK);
-            chunks.enumerate().for_each(add);
-        }
+        let chunks = self.accelerations.par_chunks_mut(CHUNK).enumerate();
+        for_each(out.len(), chunks, add);
         watches.passes.end(begin);
-        for (&agent, acceleration) in scene.agents.iter().zip(&self.accelerations) {
-            out[agent as usize] = *acceleration;
-        }
+        gather(scene.places, &self.accelerations, out);
     }
 }
 
 /// Rate × step from which on pulls are integrated apart.
 const STIFF: f64 = 0.25;
-
-/// Others in an agent's cell from which on, on average, lists of who may be near grow too
-/// long to be kept.
-const CROWDED: f64 = 32.0;
 
 /// Whether a law relaxes, among laws that are stiff together or are not.
 fn relaxes<const D: usize>(law: &dyn Law<D>, stiff: bool) -> bool {
@@ -329,79 +305,6 @@ fn choose<'a, const D: usize>(
 ) -> impl Iterator<Item = (usize, &'a dyn Law<D>)> + Clone {
     let laws = laws.iter().map(|law| &**law).enumerate();
     laws.filter(|(index, law)| chosen(*index, *law))
-}
-
-/// The largest distance at which some laws look for neighbours, and the side of cells that
-/// suits them: their largest finite range, for a search of all pairs looks into every cell.
-fn range_and_side<'a, const D: usize>(
-    laws: impl Iterator<Item = (usize, &'a dyn Law<D>)> + Clone,
-) -> [f64; 2] {
-    let ranges = laws.map(|(_, law)| law.range());
-    let finite = ranges.clone().filter(|range| range.is_finite());
-    let finite = finite.fold(0.0, f64::max);
-    // Without neighbours to look for, one cell will do.
-    let side = if finite > 0.0 { finite } else { f64::MAX };
-    [ranges.fold(0.0, f64::max), side]
-}
-
-impl<const D: usize> Stage<D> {
-    /// The scene that laws see who look so far, in cells of this side.
-    fn scene<'a>(
-        &'a mut self,
-        state: &State<'a, D>,
-        [range, side]: [f64; 2],
-        senses: Option<&Senses<D>>,
-        history: &History<D>,
-    ) -> Scene<'a, D> {
-        let Self {
-            cells,
-            velocities,
-            headings,
-            groups,
-            perception,
-            vicinity,
-            places,
-        } = self;
-        cells.rebuild(state.positions, side);
-        let order = || cells.order().iter().map(|&agent| agent as usize);
-        velocities.clear();
-        velocities.extend(order().map(|agent| state.velocities[agent]));
-        headings.clear();
-        headings.extend(order().map(|agent| state.headings[agent]));
-        groups.clear();
-        groups.extend(order().map(|agent| state.groups[agent] as u32));
-        let mut scene = Scene {
-            time: state.time,
-            agents: cells.order(),
-            positions: cells.sorted(),
-            velocities,
-            headings,
-            groups,
-            masses: state.masses,
-            rotations: state.rotations,
-            cells,
-            obstacles: state.obstacles,
-            mean_position: mean(state.positions),
-            mean_velocity: mean(state.velocities),
-            perception: None,
-            visible: None,
-            near: None,
-        };
-        if range == 0.0 {
-            // Nobody looks.
-        } else if let Some(senses) = senses {
-            perception.rebuild(senses, history, &scene, [range, side]);
-            scene.perception = Some(perception);
-        } else if range.is_finite() && cells.crowding() <= CROWDED {
-            vicinity.follow(state.positions, scene.mean_position, range);
-            places.resize(scene.agents.len(), 0);
-            for (place, &agent) in scene.agents.iter().enumerate() {
-                places[agent as usize] = place as u32;
-            }
-            scene.near = Some(Near { vicinity, places });
-        }
-        scene
-    }
 }
 
 #[cfg(test)]

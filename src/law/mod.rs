@@ -23,6 +23,7 @@ mod pattern;
 mod pull;
 mod scoped;
 mod self_propulsion;
+mod stage;
 mod steering;
 mod targets;
 mod tracking;

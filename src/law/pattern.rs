@@ -100,7 +100,7 @@ impl<const D: usize> Law<D> for Pattern<D> {
         self.gain = self.strength;
         if self.normalised {
             let lengths = scene.in_world_order(|place| self.way(scene, place).norm());
-            let acting = lengths.iter().zip(&self.acts_on).filter(|(_, acts)| **acts);
+            let acting = lengths.zip(&self.acts_on).filter(|(_, acts)| **acts);
             let sum: f64 = acting.map(|(length, _)| length).sum();
             self.gain /= 1.0 + sum;
         }

@@ -71,7 +71,7 @@ impl<const D: usize> Pulls<D> {
 
     /// Adds the pulls of a law that is prepared for this scene.
     pub fn add(&mut self, law: &dyn Law<D>, scene: &Scene<'_, D>) {
-        for (i, &agent) in scene.agents.iter().enumerate() {
+        for (agent, i) in scene.in_world_order(|i| i).enumerate() {
             self.links.clear();
             let Some(pull) = law.pull(scene, i, &mut self.links) else {
                 continue;
@@ -88,7 +88,7 @@ impl<const D: usize> Pulls<D> {
                 }
             }
             self.rows.push(Row {
-                agent: agent as usize,
+                agent,
                 gain: pull.gain,
                 own: pull.own,
                 weight,

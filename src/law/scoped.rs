@@ -46,8 +46,7 @@ impl<const D: usize> Scoped<D> {
     /// The mean over the agents that the law acts on, summed in the order of the world.
     fn mean(&self, scene: &Scene<'_, D>, values: &[Vector<D>]) -> Vector<D> {
         let value = |place: usize| self.acts_on(scene.groups[place]).then_some(values[place]);
-        let by_agent = scene.in_world_order(value);
-        mean(&by_agent.into_iter().flatten().collect::<Vec<_>>())
+        mean(&scene.in_world_order(value).flatten().collect::<Vec<_>>())
     }
 }
 

@@ -34,7 +34,9 @@ impl AlphaPair {
     pub fn weight(&self, distance: f64) -> f64 {
         match self.fade {
             Fade::Sharp => 1.0,
-            Fade::Smooth(bump) | Fade::Approximate(bump) => bump.value(distance / self.range),
+            Fade::Smooth(bump) | Fade::Approximate(bump) => {
+                bump.value(distance * self.range.recip())
+            }
         }
     }
 
@@ -79,8 +81,9 @@ impl AlphaPair {
     #[inline(always)]
     fn smooth(&self, bump: Bump, distance: f64) -> (f64, f64) {
         let z = distance - self.spacing;
-        let (weight, slope) = bump.value_and_slope(distance / self.range);
-        let falling = slope / self.range * self.action.potential(z);
+        let per_range = self.range.recip();
+        let (weight, slope) = bump.value_and_slope(distance * per_range);
+        let falling = slope * per_range * self.action.potential(z);
         // Where the bump is flat, a potential too large to compute must not matter.
         let falling = if slope < 0.0 { falling } else { 0.0 };
         (weight * self.action.force(z) + falling, weight)
@@ -88,7 +91,7 @@ impl AlphaPair {
 
     #[inline(always)]
     fn approximate(&self, bump: Bump, distance: f64) -> (f64, f64) {
-        let weight = bump.value(distance / self.range);
+        let weight = bump.value(distance * self.range.recip());
         (weight * self.action.force(distance - self.spacing), weight)
     }
 

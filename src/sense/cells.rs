@@ -169,6 +169,14 @@ impl<const D: usize> Cells<D> {
         &self.order
     }
 
+    /// Writes the place of each agent in the sorted order into `places`.
+    pub fn places(&self, places: &mut Vec<u32>) {
+        places.resize(self.order.len(), 0);
+        for (place, &agent) in self.order.iter().enumerate() {
+            places[agent as usize] = place as u32;
+        }
+    }
+
     /// The positions in the sorted order.
     pub fn sorted(&self) -> &[Vector<D>] {
         &self.sorted

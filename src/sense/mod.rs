@@ -15,14 +15,8 @@ pub use field_of_view::{Cone, in_view};
 pub use history::{History, Moment};
 pub use noise::LinkDraws;
 pub use perception::Perception;
-pub(crate) use scene::Near;
+pub(crate) use scene::Search;
 pub use scene::{Active, Neighbour, Scene, active_obstacles};
 pub use senses::Senses;
 pub(crate) use sight::body_blocks;
 pub(crate) use vicinity::Vicinity;
-
-/// Agents handled in one go; few enough to spread over threads, enough to be worth it.
-pub(crate) const CHUNK: usize = 128;
-
-/// Below this many agents, handing work to other threads costs more than it saves.
-pub(crate) const PARALLEL_FROM: usize = 500;

@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 
 use crate::math::{Matrix, Vector, direction};
+use crate::parallel::{CHUNK, for_each};
 use crate::sense::noise::LinkDraws;
 use crate::sense::senses::{Sense, Senses};
 use crate::sense::sight::{Sight, body_blocks};
-use crate::sense::{CHUNK, Cells, History, Moment, Neighbour, PARALLEL_FROM, Scene, in_view};
+use crate::sense::{Cells, History, Moment, Neighbour, Scene, in_view};
 
 /// The neighbours that each agent of a scene perceives.
 ///
@@ -17,8 +18,6 @@ use crate::sense::{CHUNK, Cells, History, Moment, Neighbour, PARALLEL_FROM, Scen
 pub struct Perception<const D: usize> {
     lists: Vec<List<D>>,
     pasts: Vec<Past<D>>,
-    /// Scratch: place in the scene of each agent of the world.
-    places: Vec<u32>,
 }
 
 /// What the agents of one chunk perceive.
@@ -69,13 +68,10 @@ impl<const D: usize> Perception<D> {
         senses: &Senses<D>,
         history: &History<D>,
         scene: &Scene<'_, D>,
+        cells: &Cells<D>,
         [range, side]: [f64; 2],
     ) {
         let step = senses.step_at(scene.time);
-        self.places.resize(scene.agents.len(), 0);
-        for (place, &agent) in scene.agents.iter().enumerate() {
-            self.places[agent as usize] = place as u32;
-        }
         let mut delays: Vec<u64> = senses.delays().filter(|&delay| delay > 0).collect();
         delays.sort_unstable();
         delays.dedup();
@@ -85,7 +81,7 @@ impl<const D: usize> Perception<D> {
         self.pasts.resize_with(delays.len(), Past::default);
         for (past, delay) in self.pasts.iter_mut().zip(delays) {
             if let Some(moment) = moment(delay) {
-                past.rebuild(delay, moment, &self.places, side);
+                past.rebuild(delay, moment, scene.places, side);
             }
         }
         let pasts = &self.pasts;
@@ -97,7 +93,7 @@ impl<const D: usize> Perception<D> {
                 let sense = senses.of_group(scene.groups[i]);
                 let view = match pasts.iter().find(|past| past.delay == sense.delay) {
                     Some(past) => past.view(),
-                    None => View::present(scene),
+                    None => View::present(scene, cells),
                 };
                 list.perceive(i, step, sense, senses, &view, scene, range);
                 list.ends.push(list.seen.len());
@@ -105,11 +101,8 @@ impl<const D: usize> Perception<D> {
         };
         let chunks = scene.agents.len().div_ceil(CHUNK);
         self.lists.resize_with(chunks, List::default);
-        if scene.agents.len() < PARALLEL_FROM {
-            self.lists.iter_mut().enumerate().for_each(perceive);
-        } else {
-            self.lists.par_iter_mut().enumerate().for_each(perceive);
-        }
+        let lists = self.lists.par_iter_mut().enumerate();
+        for_each(scene.agents.len(), lists, perceive);
     }
 
     /// The neighbours that agent `i` of the scene perceives at most `range` away.
@@ -243,9 +236,9 @@ impl<const D: usize> Past<D> {
 
 impl<'a, const D: usize> View<'a, D> {
     /// The others as they are now.
-    fn present(scene: &Scene<'a, D>) -> Self {
+    fn present(scene: &Scene<'a, D>, cells: &'a Cells<D>) -> Self {
         Self {
-            cells: scene.cells,
+            cells,
             velocities: scene.velocities,
             headings: scene.headings,
             places: None,

@@ -7,14 +7,18 @@ use crate::shape::{Obstacle, Projection};
 
 /// The state of the world at one moment, as the laws see it.
 ///
-/// Agents come in the order of the cells, where neighbours in space are neighbours in
-/// memory: what laws call agent `i` is the agent `agents[i]` of the world.
+/// Agents come in an order in which neighbours in space are neighbours in memory: what laws
+/// call agent `i` is the agent `agents[i]` of the world. That order may tell of the past: sums
+/// over agents must not follow it, but that of the world, or runs that are resumed would not go
+/// on as they would have.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a, const D: usize> {
     /// Time since the start.
     pub time: f64,
     /// The world's index of each agent.
     pub agents: &'a [u32],
+    /// The place in the scene of each agent of the world.
+    pub places: &'a [u32],
     /// Position of each agent.
     pub positions: &'a [Vector<D>],
     /// Velocity of each agent.
@@ -27,8 +31,6 @@ pub struct Scene<'a, const D: usize> {
     pub masses: &'a [f64],
     /// Rotation of each body, in the order of the world; none where all are balls.
     pub rotations: &'a [Matrix<D>],
-    /// The same positions, for neighbour searches.
-    pub cells: &'a Cells<D>,
     /// The obstacles.
     pub obstacles: &'a [Obstacle<D>],
     /// Mean of the positions; of those in scope where the law has a scope.
@@ -39,16 +41,19 @@ pub struct Scene<'a, const D: usize> {
     pub perception: Option<&'a Perception<D>>,
     /// For each group, whether its agents count as neighbours; absent where all do.
     pub visible: Option<&'a [bool]>,
-    /// Who may be near; absent where the cells are to be searched.
-    pub(crate) near: Option<Near<'a, D>>,
+    /// How to find who is near.
+    pub(crate) search: Search<'a, D>,
 }
 
-/// Lists of who may be near, and where in the scene they are.
+/// A way to find who is near.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Near<'a, const D: usize> {
-    pub(crate) vicinity: &'a Vicinity<D>,
-    /// Place in the scene of each agent of the world.
-    pub(crate) places: &'a [u32],
+pub(crate) enum Search<'a, const D: usize> {
+    /// To look at all.
+    All,
+    /// Cells, with the agents in their order.
+    Cells(&'a Cells<D>),
+    /// Lists, with the agents in their order.
+    Lists(&'a Vicinity<D>),
 }
 
 /// Another agent, as an agent perceives it.
@@ -77,13 +82,9 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     /// A value of each agent of the scene, in the order of the world: that order does not depend
-    /// on the cells, so sums in it are the same whatever other laws there are.
-    pub fn in_world_order<T: Clone + Default>(&self, value: impl Fn(usize) -> T) -> Vec<T> {
-        let mut by_agent = vec![T::default(); self.agents.len()];
-        for (place, &agent) in self.agents.iter().enumerate() {
-            by_agent[agent as usize] = value(place);
-        }
-        by_agent
+    /// on where they are or were, so sums in it are the same whatever other laws there are.
+    pub fn in_world_order<T>(&self, value: impl Fn(usize) -> T) -> impl Iterator<Item = T> {
+        self.places.iter().map(move |&place| value(place as usize))
     }
 
     /// Number of agents that the law may count as neighbours, however far away: the N of
@@ -119,36 +120,51 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     /// Calls `visit` with index, offset and squared distance of all others at most `range`
-    /// away from agent `i`.
+    /// away from agent `i`, in the order of the world.
     #[inline]
     fn within(&self, i: usize, range: f64, mut visit: impl FnMut(usize, Vector<D>, f64)) {
-        match self.near {
-            Some(near) if range <= near.vicinity.range() => {
-                let point = &self.positions[i];
+        let point = &self.positions[i];
+        let mut visit = |place: u32| {
+            let offset = self.positions[place as usize] - point;
+            visit(place as usize, offset, offset.norm_squared());
+        };
+        match self.search {
+            Search::Lists(lists) if range <= lists.range() => {
+                self.listed(lists.of(i), point, range, visit);
+            }
+            Search::Cells(cells) if range.is_finite() => {
+                let mut found = Vec::new();
+                cells.for_each_within(point, range, |place, _, _| found.push(self.agents[place]));
+                found.sort_unstable();
+                let others = found.iter().map(|&agent| self.places[agent as usize]);
+                others.filter(|&place| place as usize != i).for_each(visit);
+            }
+            _ => {
                 let limit = range * range;
-                let mut hits = [0u32; HITS];
-                for others in near.vicinity.of(self.agents[i]).chunks(HITS) {
-                    // As in the search of cells: no branch that depends on where they are.
-                    let mut count = 0;
-                    for &other in others {
-                        let place = near.places[other as usize];
-                        let squared = (self.positions[place as usize] - point).norm_squared();
-                        hits[count] = place;
-                        count += usize::from(squared <= limit);
-                    }
-                    for &hit in &hits[..count] {
-                        let offset = self.positions[hit as usize] - point;
-                        visit(hit as usize, offset, offset.norm_squared());
+                for &place in self.places {
+                    let squared = (self.positions[place as usize] - point).norm_squared();
+                    if place as usize != i && squared <= limit {
+                        visit(place);
                     }
                 }
             }
-            _ => self
-                .cells
-                .for_each_within(&self.positions[i], range, |index, offset, squared| {
-                    if index != i {
-                        visit(index, offset, squared);
-                    }
-                }),
+        }
+    }
+
+    /// Visits those of a list that are at most `range` away from a point.
+    #[inline]
+    fn listed(&self, list: &[u32], point: &Vector<D>, range: f64, mut visit: impl FnMut(u32)) {
+        let limit = range * range;
+        let mut hits = [0u32; HITS];
+        for others in list.chunks(HITS) {
+            // As in the search of cells: no branch that depends on where they are.
+            let mut count = 0;
+            for &place in others {
+                let squared = (self.positions[place as usize] - point).norm_squared();
+                hits[count] = place;
+                count += usize::from(squared <= limit);
+            }
+            hits[..count].iter().for_each(|&hit| visit(hit));
         }
     }
 

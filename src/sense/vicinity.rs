@@ -5,18 +5,22 @@
 //! all, no other pair can have come within range: L. Verlet, "Computer experiments on
 //! classical fluids", 1967. Whoever uses a list checks distances, and finds the listed agents
 //! in the order of the world; so results do not tell when the list was made.
+//!
+//! While lists serve, agents keep the order that they had in the cells from which the lists
+//! were made: neighbours in space stay neighbours in memory, and lists tell places in it.
 
 use rayon::prelude::*;
 
 use crate::math::Vector;
-use crate::sense::{CHUNK, Cells, PARALLEL_FROM};
+use crate::parallel::{CHUNK, for_each};
+use crate::sense::Cells;
 
 /// For each agent the others that may be within a range.
 #[derive(Debug)]
 pub(crate) struct Vicinity<const D: usize> {
     range: f64,
     skin: f64,
-    /// Where the agents were when the lists were made, and their mean.
+    /// Where the agents were when the lists were made, in their order, and their mean.
     then: Vec<Vector<D>>,
     mean: Vector<D>,
     /// How often the lists were used since.
@@ -25,6 +29,8 @@ pub(crate) struct Vicinity<const D: usize> {
     /// Place of each agent in those cells.
     places: Vec<u32>,
     lists: Vec<List>,
+    /// What each chunk of agents finds when it looks how far they moved.
+    farthest: Vec<[f64; 2]>,
 }
 
 /// The lists of one chunk of agents, in the order of the cells.
@@ -32,9 +38,12 @@ pub(crate) struct Vicinity<const D: usize> {
 struct List {
     /// Where each agent's others end.
     ends: Vec<u32>,
-    /// Agents of the world, each agent's in increasing order.
+    /// Their places, each agent's in the order of the world.
     others: Vec<u32>,
 }
+
+/// Others in an agent's cell from which on, on average, lists grow too long to be kept.
+const CROWDED: f64 = 32.0;
 
 /// Skins as shares of the range. A wide one serves longer, a narrow one lists less.
 const SKIN: std::ops::RangeInclusive<f64> = 0.03..=0.5;
@@ -50,13 +59,16 @@ impl<const D: usize> Default for Vicinity<D> {
             cells: Cells::default(),
             places: Vec::new(),
             lists: Vec::new(),
+            farthest: Vec::new(),
         }
     }
 }
 
 impl<const D: usize> Vicinity<D> {
     /// Makes the lists serve for agents at `positions`, whose mean is `mean`, up to `range`.
-    pub(crate) fn follow(&mut self, positions: &[Vector<D>], mean: Vector<D>, range: f64) {
+    /// Returns whether they do: not where so many are near each other that lists grow too long
+    /// to be kept.
+    pub(crate) fn follow(&mut self, positions: &[Vector<D>], mean: Vector<D>, range: f64) -> bool {
         let same = self.then.len() == positions.len() && range <= self.range;
         let moved = match same {
             true => self.moved(positions, mean),
@@ -64,7 +76,7 @@ impl<const D: usize> Vicinity<D> {
         };
         self.uses += 1;
         if moved <= self.skin {
-            return;
+            return true;
         }
         // Making lists costs about as much as using them six times, so with a motion of m per
         // use the skin s that costs least has s² about range × m.
@@ -74,11 +86,19 @@ impl<const D: usize> Vicinity<D> {
         };
         self.skin = share.clamp(*SKIN.start(), *SKIN.end()) * range;
         self.range = range;
-        self.then.clear();
-        self.then.extend_from_slice(positions);
         self.mean = mean;
         self.uses = 0;
-        self.list();
+        let reach = self.range + self.skin;
+        self.cells.rebuild(positions, reach);
+        self.cells.places(&mut self.places);
+        if self.cells.crowding() > CROWDED {
+            self.then.clear();
+            return false;
+        }
+        self.then.clear();
+        self.then.extend_from_slice(self.cells.sorted());
+        self.list(reach);
+        true
     }
 
     /// The largest distance up to which the lists serve.
@@ -86,63 +106,83 @@ impl<const D: usize> Vicinity<D> {
         self.range
     }
 
-    /// The others that may be near an agent of the world, in increasing order.
+    /// The cells of the agents as they were when [`Vicinity::follow`] looked at all of them last,
+    /// which is just now where it has no lists.
+    pub(crate) fn cells(&self) -> &Cells<D> {
+        &self.cells
+    }
+
+    /// The place of each agent of the world in the order of those cells.
+    pub(crate) fn places(&self) -> &[u32] {
+        &self.places
+    }
+
+    /// The places of the others that may be near the agent at a place, in the order of the
+    /// world.
     #[inline]
-    pub(crate) fn of(&self, agent: u32) -> &[u32] {
-        let place = self.places[agent as usize] as usize;
+    pub(crate) fn of(&self, place: usize) -> &[u32] {
         let (list, at) = (&self.lists[place / CHUNK], place % CHUNK);
         let begin = if at == 0 { 0 } else { list.ends[at - 1] };
         &list.others[begin as usize..list.ends[at] as usize]
     }
 
     /// By how much two agents may have come closer since the lists were made.
-    fn moved(&self, positions: &[Vector<D>], mean: Vector<D>) -> f64 {
+    fn moved(&mut self, positions: &[Vector<D>], mean: Vector<D>) -> f64 {
         let common = mean - self.mean;
-        let [mut first, mut second] = [0.0, 0.0];
-        for (now, then) in positions.iter().zip(&self.then) {
-            let squared = (now - then - common).norm_squared();
-            second = f64::max(second, f64::min(first, squared));
-            first = f64::max(first, squared);
-        }
+        let agents = self.then.len();
+        self.farthest.resize(agents.div_ceil(CHUNK), [0.0; 2]);
+        let then = self.then.par_chunks(CHUNK);
+        let chunks = then.zip(self.cells.order().par_chunks(CHUNK));
+        for_each(
+            agents,
+            chunks.zip(&mut self.farthest),
+            |((then, order), farthest)| {
+                let now = order.iter().map(|&agent| positions[agent as usize]);
+                let ways = now.zip(then).map(|(now, then)| now - then - common);
+                *farthest = two_largest(ways.map(|way| way.norm_squared()));
+            },
+        );
+        let [first, second] = two_largest(self.farthest.iter().flatten().copied());
         // More than rounding can be off, also that of a common motion far and wide.
         first.sqrt() + second.sqrt() + 1e-12 * (self.range + common.norm())
     }
 
-    fn list(&mut self) {
-        let reach = self.range + self.skin;
-        self.cells.rebuild(&self.then, reach);
-        self.places.resize(self.then.len(), 0);
-        for (place, &agent) in self.cells.order().iter().enumerate() {
-            self.places[agent as usize] = place as u32;
-        }
-        let cells = &self.cells;
-        let fill = |(list, (order, positions)): (&mut List, (&[u32], &[Vector<D>]))| {
+    /// Lists those at most `reach` from each other in the cells.
+    fn list(&mut self, reach: f64) {
+        let agents = self.then.len();
+        let (cells, places) = (&self.cells, &self.places);
+        let fill = |(list, (chunk, positions)): (&mut List, (usize, &[Vector<D>]))| {
             list.ends.clear();
             list.others.clear();
-            for (agent, position) in order.iter().zip(positions) {
+            for (me, position) in (chunk * CHUNK..).zip(positions) {
                 let begin = list.others.len();
                 cells.for_each_within(position, reach, |place, _, _| {
-                    let other = cells.order()[place];
-                    if other != *agent {
-                        list.others.push(other);
+                    if place != me {
+                        list.others.push(cells.order()[place]);
                     }
                 });
-                list.others[begin..].sort_unstable();
+                let others = &mut list.others[begin..];
+                others.sort_unstable();
+                let place = |agent: &mut u32| *agent = places[*agent as usize];
+                others.iter_mut().for_each(place);
                 list.ends.push(list.others.len() as u32);
             }
         };
-        let agents = self.then.len();
-        self.lists
-            .resize_with(agents.div_ceil(CHUNK), List::default);
-        let (order, sorted) = (cells.order(), cells.sorted());
-        if agents < PARALLEL_FROM {
-            let chunks = order.chunks(CHUNK).zip(sorted.chunks(CHUNK));
-            self.lists.iter_mut().zip(chunks).for_each(fill);
-        } else {
-            let chunks = order.par_chunks(CHUNK).zip(sorted.par_chunks(CHUNK));
-            self.lists.par_iter_mut().zip(chunks).for_each(fill);
-        }
+        let chunks = agents.div_ceil(CHUNK);
+        self.lists.resize_with(chunks, List::default);
+        let sorted = cells.sorted().par_chunks(CHUNK).enumerate();
+        for_each(agents, self.lists.par_iter_mut().zip(sorted), fill);
     }
+}
+
+/// The two largest of some values that are not negative.
+fn two_largest(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([0.0; 2], |[first, second], value| {
+        [
+            f64::max(first, value),
+            f64::max(second, f64::min(first, value)),
+        ]
+    })
 }
 
 #[cfg(test)]
@@ -152,13 +192,17 @@ mod tests {
     use proptest::prelude::*;
 
     fn follow<const D: usize>(vicinity: &mut Vicinity<D>, positions: &[Vector<D>], range: f64) {
-        vicinity.follow(positions, mean(positions), range);
+        assert!(vicinity.follow(positions, mean(positions), range));
     }
 
     /// That nobody within range is missing, and that lists are in order and without the agent.
     fn check<const D: usize>(vicinity: &Vicinity<D>, positions: &[Vector<D>], range: f64) {
         for (i, position) in positions.iter().enumerate() {
-            let others = vicinity.of(i as u32);
+            let others = vicinity.of(vicinity.places()[i] as usize);
+            let agents = others
+                .iter()
+                .map(|&place| vicinity.cells().order()[place as usize]);
+            let others: Vec<u32> = agents.collect();
             assert!(others.is_sorted() && !others.contains(&(i as u32)));
             for (j, other) in positions.iter().enumerate() {
                 let near = i != j && (other - position).norm_squared() <= range * range;

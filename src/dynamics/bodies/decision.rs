@@ -1,10 +1,14 @@
 //! From what the laws ask for to the forces of one step.
 
+use rayon::prelude::*;
+
 use super::Bodies;
 use crate::dynamics::Failure;
+use crate::dynamics::actuator::{Cuts, Limited};
 use crate::dynamics::relaxation::relax;
 use crate::law::{Flock, State};
 use crate::math::Vector;
+use crate::parallel::{CHUNK, for_each};
 
 impl<const D: usize> Bodies<D> {
     /// Asks the laws what they want now.
@@ -39,40 +43,68 @@ impl<const D: usize> Bodies<D> {
     /// Turns what the laws ask for into forces within the actuators' limits.
     pub(super) fn decide(&mut self) -> Result<(), Failure> {
         let relaxed = self.relax();
-        let (lag, lead) = (self.lag(), self.lead());
-        for i in 0..self.wanted.len() {
-            // What relaxes ends the step where it ends, unless it is too fast for the body.
-            let relaxed = relaxed.as_ref().map(|relaxed| &relaxed[i]);
-            let wanted = match relaxed {
-                Some(relaxed) => relaxed.wanted,
-                None => self.wanted_in_step(i, lead),
-            };
-            let relaxed = relaxed.filter(|it| self.actuators.allow(i, it.fastest));
-            // From the engine's velocity to that read at the end of the step.
-            let span = self.step_size + if relaxed.is_some() { 0.0 } else { lag };
-            let mass = self.masses[i];
-            let coasting = self.engine_velocities[i] + self.gravity * span;
-            let before = (self.step > 0).then_some(self.pushes[i]);
-            let gain = span / mass;
-            let asked = wanted * mass;
-            self.pushes[i] = self.actuators.act(i, asked, before, &coasting, gain);
-            self.forces[i] = self.pushes[i] + self.gravity * mass;
-            self.applied[i] = self.forces[i] / mass;
-            self.ahead[i] = match relaxed {
-                Some(relaxed) if self.pushes[i] == asked => relaxed.ahead,
-                _ => self.applied[i] * lag,
-            };
-            // Squared speeds must stay finite as well, or the engine stops the body.
-            let speed_gained = self.applied[i] * self.step_size;
-            if !(speed_gained.norm_squared() + self.forces[i].norm_squared()).is_finite() {
-                return Err(Failure::Acceleration {
-                    agent: i,
-                    time: self.time(),
-                    value: format!("{:?}", wanted.as_slice()),
-                });
+        let (lag, lead, step) = (self.lag(), self.lead(), self.step_size);
+        let mut out = [
+            &mut self.pushes,
+            &mut self.forces,
+            &mut self.applied,
+            &mut self.ahead,
+        ]
+        .map(std::mem::take);
+        let mut verdicts = std::mem::take(&mut self.verdicts);
+        verdicts.clear();
+        verdicts.resize_with(self.wanted.len().div_ceil(CHUNK), Verdict::default);
+        let decide = |((chunk, verdict), (((pushes, forces), applied), ahead)): Part<'_, D>| {
+            for (k, i) in (chunk * CHUNK..).take(pushes.len()).enumerate() {
+                // What relaxes ends the step where it ends, unless it is too fast for the body.
+                let relaxed = relaxed.as_ref().map(|relaxed| &relaxed[i]);
+                let wanted = match relaxed {
+                    Some(relaxed) => relaxed.wanted,
+                    None => self.wanted_in_step(i, lead),
+                };
+                let relaxed = relaxed.filter(|it| self.actuators.allow(i, it.fastest));
+                // From the engine's velocity to that read at the end of the step.
+                let span = step + if relaxed.is_some() { 0.0 } else { lag };
+                let mass = self.masses[i];
+                let coasting = self.engine_velocities[i] + self.gravity * span;
+                let before = (self.step > 0).then_some(pushes[k]);
+                let limited = Limited {
+                    before,
+                    coasting: &coasting,
+                    gain: span / mass,
+                };
+                let asked = wanted * mass;
+                pushes[k] = self.actuators.act(i, asked, limited, &mut verdict.cuts);
+                forces[k] = pushes[k] + self.gravity * mass;
+                applied[k] = forces[k] / mass;
+                ahead[k] = match relaxed {
+                    Some(relaxed) if pushes[k] == asked => relaxed.ahead,
+                    _ => applied[k] * lag,
+                };
+                // Squared speeds must stay finite as well, or the engine stops the body.
+                let speed_gained = applied[k] * step;
+                if !(speed_gained.norm_squared() + forces[k].norm_squared()).is_finite() {
+                    verdict.broken = Some((i, wanted));
+                    return;
+                }
             }
+        };
+        let [pushes, forces, applied, ahead] = out.each_mut().map(|it| it.par_chunks_mut(CHUNK));
+        let out_by_chunk = pushes.zip(forces).zip(applied).zip(ahead);
+        let chunks = verdicts.par_iter_mut().enumerate().zip(out_by_chunk);
+        for_each(self.wanted.len(), chunks, decide);
+        [self.pushes, self.forces, self.applied, self.ahead] = out;
+        verdicts.iter().for_each(|it| self.actuators.count(it.cuts));
+        let broken = verdicts.iter().find_map(|it| it.broken);
+        self.verdicts = verdicts;
+        match broken {
+            None => Ok(()),
+            Some((agent, wanted)) => Err(Failure::Acceleration {
+                agent,
+                time: self.time(),
+                value: format!("{:?}", wanted.as_slice()),
+            }),
         }
-        Ok(())
     }
 
     /// What the laws want of an agent in the middle of what the engine's velocities span.
@@ -108,6 +140,23 @@ impl<const D: usize> Bodies<D> {
             });
         Some(relaxed.collect())
     }
+}
+
+/// A chunk of the agents: its number, what came of it, and where pushes, forces, applied
+/// accelerations and what is ahead are to be written.
+type Part<'a, const D: usize> = (
+    (usize, &'a mut Verdict<D>),
+    (((Out<'a, D>, Out<'a, D>), Out<'a, D>), Out<'a, D>),
+);
+
+type Out<'a, const D: usize> = &'a mut [Vector<D>];
+
+/// What came of the decisions for a chunk of agents.
+#[derive(Debug, Default)]
+pub(super) struct Verdict<const D: usize> {
+    cuts: Cuts,
+    /// The first agent whose force is no number, and what the laws want of it.
+    broken: Option<(usize, Vector<D>)>,
 }
 
 /// How a velocity relaxes over a step.

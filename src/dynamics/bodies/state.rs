@@ -111,6 +111,7 @@ impl<const D: usize> Bodies<D> {
             pulls: _,
             touches: _,
             // The past alone.
+            verdicts: _,
             watches: _,
         } = self;
         Ok(BodiesState {
