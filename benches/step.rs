@@ -1,7 +1,8 @@
 //! The whole step of a flock of bodies against the engine's bare step of the same bodies,
 //! and what laws and sensing cost alone.
 //!
-//! `cargo bench --bench step` prints tables. All that is compared is timed in turns within one
+//! `cargo bench --bench step` prints tables; with numbers of agents behind a `--`, of those flocks
+//! only. All that is compared is timed in turns within one
 //! run, and ratios are the medians of the rounds' ratios: absolute times drift from machine to
 //! machine and from minute to minute, ratios much less.
 
@@ -168,21 +169,32 @@ where
 }
 
 fn main() {
-    const SIZES: [usize; 4] = [100, 1_000, 10_000, 100_000];
+    let asked = std::env::args().filter_map(|argument| argument.parse().ok());
+    let mut sizes: Vec<usize> = asked.collect();
+    if sizes.is_empty() {
+        sizes = vec![100, 1_000, 10_000, 100_000];
+    }
     for threads in [1, 2] {
         println!("\n{threads} thread(s); µs per agent and step, medians\n");
         println!("| dimension | agents | bare engine | laws alone | whole step | whole / bare |");
         println!("|---|---|---|---|---|---|");
-        let [plane, space] = pool(threads).install(|| {
-            let times = SIZES.map(|agents| [compare::<2>(agents), compare::<3>(agents)]);
-            [0, 1].map(|k| times.map(|time| time[k]))
+        let times: Vec<[f64; 2]> = pool(threads).install(|| {
+            let both = |&agents: &usize| [compare::<2>(agents), compare::<3>(agents)];
+            sizes.iter().map(both).collect()
         });
-        for (dimension, times) in [(2, plane), (3, space)] {
-            let exponents: Vec<_> = times
-                .windows(2)
-                .map(|pair| format!("{:.2}", 1.0 + (pair[1] / pair[0]).log10()))
-                .collect();
-            println!("\nThe step's time grows as N to the {exponents:?} ({dimension}-D).");
+        println!();
+        for (times, sizes) in times.windows(2).zip(sizes.windows(2)) {
+            let exponent = |k: usize| {
+                let more = (sizes[1] as f64 / sizes[0] as f64).ln();
+                1.0 + (times[1][k] / times[0][k]).ln() / more
+            };
+            println!(
+                "From {} to {} agents the step's time grows as N to the {:.2} (2-D), {:.2} (3-D).",
+                sizes[0],
+                sizes[1],
+                exponent(0),
+                exponent(1),
+            );
         }
     }
     println!("\nLaws and sensing alone, 10,000 agents; µs per agent and step\n");

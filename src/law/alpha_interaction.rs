@@ -30,6 +30,8 @@
 //!
 //! Two agents at the same point have no direction between them and exert no force.
 
+use std::ops::Range;
+
 use crate::law::Law;
 use crate::math::{AlphaPair, Fade, Vector};
 use crate::sense::{Neighbour, Scene};
@@ -75,7 +77,6 @@ impl<const D: usize> Law<D> for AlphaInteraction {
             let p = scene.velocities[i];
             scene.neighbours(i, self.pair.range, |neighbour| {
                 if batch.len == PAIRS {
-                    batch.end(k);
                     self.add(&mut batch, out);
                 }
                 batch.push(&p, &neighbour);
@@ -99,20 +100,29 @@ impl AlphaInteraction {
             .ratios_and_weights(&batch.squared[lanes], ratios, weights);
         let mut begin = 0;
         for &(agent, end) in &batch.ends[..batch.agents] {
-            let (mut force, mut drift) = (Vector::zeros(), Vector::zeros());
-            for pair in begin..end {
-                let cone = batch.cones[pair];
-                let weight = match self.weighted_damping {
-                    true => batch.weights[pair],
-                    false => 1.0,
-                };
-                force += batch.offsets[pair] * (batch.ratios[pair] * cone);
-                drift += batch.velocities[pair] * (weight * cone);
-            }
+            let [force, drift] = self.add_pairs(batch, begin..end);
             sums[agent] += force + drift * self.damping;
+            batch.open = [Vector::zeros(); 2];
             begin = end;
         }
+        batch.open = self.add_pairs(batch, begin..batch.len);
         (batch.len, batch.agents) = (0, 0);
+    }
+
+    /// What is open, and some pairs more.
+    #[inline(always)]
+    fn add_pairs<const D: usize>(&self, batch: &Batch<D>, pairs: Range<usize>) -> [Vector<D>; 2] {
+        let [mut force, mut drift] = batch.open;
+        for pair in pairs {
+            let cone = batch.cones[pair];
+            let weight = match self.weighted_damping {
+                true => batch.weights[pair],
+                false => 1.0,
+            };
+            force += batch.offsets[pair] * (batch.ratios[pair] * cone);
+            drift += batch.velocities[pair] * (weight * cone);
+        }
+        [force, drift]
     }
 }
 
@@ -137,6 +147,9 @@ struct Batch<const D: usize> {
     ratios: [f64; PAIRS],
     weights: [f64; PAIRS],
     len: usize,
+    /// The force so far on the agent that has not ended, and the damping over its rate: one sum
+    /// after the other, so that it does not matter where batches end.
+    open: [Vector<D>; 2],
 }
 
 impl<const D: usize> Batch<D> {
@@ -151,6 +164,7 @@ impl<const D: usize> Batch<D> {
             ratios: [0.0; PAIRS],
             weights: [0.0; PAIRS],
             len: 0,
+            open: [Vector::zeros(); 2],
         }
     }
 
@@ -164,7 +178,7 @@ impl<const D: usize> Batch<D> {
         self.len += 1;
     }
 
-    /// The pairs so far, and after those that ended before, are this agent's.
+    /// Ends this agent: the pairs since the last end are its own.
     fn end(&mut self, agent: usize) {
         self.ends[self.agents] = (agent, self.len);
         self.agents += 1;

@@ -342,8 +342,10 @@ mod tests {
             start in prop::collection::vec(prop::array::uniform2(-6.0..6.0f64), 2..80),
             pushes in prop::collection::vec(prop::array::uniform2(-1.0..1.0f64), 1..9),
             speed in 0.0..0.2f64,
+            // At the least all are so near each other that no lists are kept.
+            size in 0.1..1.0f64,
         ) {
-            let mut x: Vec<Vector<2>> = start.into_iter().map(Vector::from).collect();
+            let mut x: Vec<_> = start.into_iter().map(|x| Vector::<2>::from(x) * size).collect();
             let mut old = flock();
             for step in 0..20 {
                 let push = |k: usize| Vector::from(pushes[(k + step) % pushes.len()]);

@@ -1,5 +1,7 @@
 //! What the laws see at one moment.
 
+use std::borrow::Cow;
+
 use crate::math::{Matrix, Vector};
 use crate::sense::cells::HITS;
 use crate::sense::{Cells, Perception, Vicinity};
@@ -124,47 +126,40 @@ impl<const D: usize> Scene<'_, D> {
     #[inline]
     fn within(&self, i: usize, range: f64, mut visit: impl FnMut(usize, Vector<D>, f64)) {
         let point = &self.positions[i];
-        let mut visit = |place: u32| {
-            let offset = self.positions[place as usize] - point;
-            visit(place as usize, offset, offset.norm_squared());
-        };
-        match self.search {
-            Search::Lists(lists) if range <= lists.range() => {
-                self.listed(lists.of(i), point, range, visit);
-            }
-            Search::Cells(cells) if range.is_finite() => {
-                let mut found = Vec::new();
-                cells.for_each_within(point, range, |place, _, _| found.push(self.agents[place]));
-                found.sort_unstable();
-                let others = found.iter().map(|&agent| self.places[agent as usize]);
-                others.filter(|&place| place as usize != i).for_each(visit);
-            }
-            _ => {
-                let limit = range * range;
-                for &place in self.places {
-                    let squared = (self.positions[place as usize] - point).norm_squared();
-                    if place as usize != i && squared <= limit {
-                        visit(place);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Visits those of a list that are at most `range` away from a point.
-    #[inline]
-    fn listed(&self, list: &[u32], point: &Vector<D>, range: f64, mut visit: impl FnMut(u32)) {
         let limit = range * range;
         let mut hits = [0u32; HITS];
-        for others in list.chunks(HITS) {
+        for others in self.candidates(i, range).chunks(HITS) {
             // As in the search of cells: no branch that depends on where they are.
             let mut count = 0;
             for &place in others {
                 let squared = (self.positions[place as usize] - point).norm_squared();
                 hits[count] = place;
-                count += usize::from(squared <= limit);
+                count += usize::from((squared <= limit) & (place as usize != i));
             }
-            hits[..count].iter().for_each(|&hit| visit(hit));
+            for &hit in &hits[..count] {
+                let offset = self.positions[hit as usize] - point;
+                visit(hit as usize, offset, offset.norm_squared());
+            }
+        }
+    }
+
+    /// Agents in the order of the world, with all those among them that are at most `range` away
+    /// from agent `i`.
+    #[inline]
+    fn candidates(&self, i: usize, range: f64) -> Cow<'_, [u32]> {
+        match self.search {
+            Search::Lists(lists) if range <= lists.range() => Cow::Borrowed(lists.of(i)),
+            Search::Cells(cells) if range.is_finite() => {
+                let mut found = Vec::new();
+                cells.for_each_within(&self.positions[i], range, |place, _, _| {
+                    found.push(self.agents[place]);
+                });
+                found.sort_unstable();
+                let place = |agent: &mut u32| *agent = self.places[*agent as usize];
+                found.iter_mut().for_each(place);
+                Cow::Owned(found)
+            }
+            _ => Cow::Borrowed(self.places),
         }
     }
 

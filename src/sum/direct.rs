@@ -77,29 +77,28 @@ fn pairs<const D: usize>(first: usize, tallies: &mut [Tally<D>]) -> Vec<Meeting<
 /// All pairs of a meeting.
 fn meet<K: Radial, const D: usize>(radial: K, cloud: &Cloud<D>, meeting: Meeting<'_, D>) {
     let blocks = cloud.blocks();
-    let (k, mine) = meeting.one;
-    let Some((l, theirs)) = meeting.other else {
-        return vectorized(Gather {
+    let gather = |to: usize, from: usize, tally| {
+        vectorized(Gather {
             radial,
-            targets: &blocks[k],
+            targets: &blocks[to],
             count: BLOCK,
-            sources: &blocks[k..=k],
-            tally: mine,
+            sources: &blocks[from..=from],
+            tally,
         });
     };
-    let blocks = [&blocks[k], &blocks[l]];
-    let tallies = [mine, theirs];
-    if (l + 1) * BLOCK <= cloud.count() {
-        vectorized(Exchange::<K, D, true> {
-            radial,
-            blocks,
-            tallies,
-        });
-    } else {
-        vectorized(Exchange::<K, D, false> {
-            radial,
-            blocks,
-            tallies,
-        });
+    match (meeting.one, meeting.other) {
+        ((k, mine), None) => gather(k, k, mine),
+        ((k, mine), Some((l, theirs))) if (l + 1) * BLOCK <= cloud.count() => {
+            vectorized(Exchange {
+                radial,
+                blocks: [&blocks[k], &blocks[l]],
+                tallies: [mine, theirs],
+            });
+        }
+        // The last block is not full: each for itself, which gives the same numbers.
+        ((k, mine), Some((l, theirs))) => {
+            gather(k, l, mine);
+            gather(l, k, theirs);
+        }
     }
 }

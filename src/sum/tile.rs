@@ -187,14 +187,14 @@ impl<K: Radial, const D: usize> WithSimd for Gather<'_, K, D> {
 }
 
 /// The pairs of two different blocks, each counted once and added to both of its points. The
-/// first block is full; so is the other where `FULL`.
-pub(super) struct Exchange<'a, K, const D: usize, const FULL: bool> {
+/// blocks are full.
+pub(super) struct Exchange<'a, K, const D: usize> {
     pub radial: K,
     pub blocks: [&'a Block<D>; 2],
     pub tallies: [&'a mut Tally<D>; 2],
 }
 
-impl<K: Radial, const D: usize, const FULL: bool> WithSimd for Exchange<'_, K, D, FULL> {
+impl<K: Radial, const D: usize> WithSimd for Exchange<'_, K, D> {
     type Output = ();
 
     #[inline(always)]
@@ -214,7 +214,7 @@ impl<K: Radial, const D: usize, const FULL: bool> WithSimd for Exchange<'_, K, D
                     let mut their_drive = theirs.drive.each_ref().map(take);
                     for t in 0..HELD {
                         let (weight, drive) =
-                            pair::<S, K, D, FULL>(simd, &self.radial, &held, t, source);
+                            pair::<S, K, D, true>(simd, &self.radial, &held, t, source);
                         let sum = &mut lanes.weight[t][part];
                         *sum = simd.add_f64s(*sum, weight);
                         their_weight = simd.add_f64s(their_weight, weight);

@@ -17,7 +17,7 @@ pub(super) trait WithPower {
 }
 
 /// The largest exponent that there are powers of.
-const LARGEST_EXPONENT: f64 = 4.0;
+pub(super) const LARGEST_EXPONENT: f64 = 4.0;
 
 /// Does something with the power −β, 0 < β ≤ 4; nothing beyond.
 pub(super) fn with_power<V: WithPower>(exponent: f64, visitor: V) -> Option<V::Output> {
@@ -32,15 +32,15 @@ pub(super) fn with_power<V: WithPower>(exponent: f64, visitor: V) -> Option<V::O
         });
     }
     let quarters = quarters as u32;
-    let (whole, rest) = (quarters / 4, quarters % 4);
-    Some(match (whole, rest) {
-        (1, 0) => visitor.with(Root::<1>),
-        (0, 2) => visitor.with(Root::<2>),
-        (0, 1) => visitor.with(Root::<4>),
-        (whole, 0) => visitor.with(Repeated(Root::<1>, whole)),
-        (_, 2) => visitor.with(Repeated(Root::<2>, quarters / 2)),
-        (0, odd) => visitor.with(Repeated(Root::<4>, odd)),
-        (whole, odd) => visitor.with((Repeated(Root::<4>, odd), Repeated(Root::<1>, whole))),
+    // Each kind is compiled apart, so there are not many of them.
+    Some(match quarters {
+        1 => visitor.with(Root::<4>),
+        2 => visitor.with(Root::<2>),
+        4 => visitor.with(Root::<1>),
+        _ => visitor.with(Quarters {
+            whole: quarters / 4,
+            rest: quarters % 4,
+        }),
     })
 }
 
@@ -55,15 +55,32 @@ impl<const R: u32> Power for Root<R> {
     }
 }
 
-/// A power, multiplied by itself to make this many factors.
+/// x^(−whole − rest/4), rest < 4.
 #[derive(Clone, Copy)]
-struct Repeated<P>(P, u32);
+struct Quarters {
+    whole: u32,
+    rest: u32,
+}
 
-impl<P: Power> Power for Repeated<P> {
+impl Power for Quarters {
     #[inline(always)]
     fn of<S: Simd>(&self, simd: S, x: S::f64s) -> S::f64s {
-        let factor = self.0.of(simd, x);
-        (1..self.1).fold(factor, |product, _| simd.mul_f64s(product, factor))
+        let mut product = simd.splat_f64s(1.0);
+        if self.rest == 2 {
+            product = inverse_root::<S, 2>(simd, x);
+        } else if self.rest > 0 {
+            let root = inverse_root::<S, 4>(simd, x);
+            for _ in 0..self.rest {
+                product = simd.mul_f64s(product, root);
+            }
+        }
+        if self.whole > 0 {
+            let inverse = inverse_root::<S, 1>(simd, x);
+            for _ in 0..self.whole {
+                product = simd.mul_f64s(product, inverse);
+            }
+        }
+        product
     }
 }
 
@@ -71,13 +88,5 @@ impl<const N: usize> Power for InversePower<N> {
     #[inline(always)]
     fn of<S: Simd>(&self, simd: S, x: S::f64s) -> S::f64s {
         InversePower::of(self, simd, x)
-    }
-}
-
-/// The product of two powers.
-impl<P: Power, Q: Power> Power for (P, Q) {
-    #[inline(always)]
-    fn of<S: Simd>(&self, simd: S, x: S::f64s) -> S::f64s {
-        simd.mul_f64s(self.0.of(simd, x), self.1.of(simd, x))
     }
 }

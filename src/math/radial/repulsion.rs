@@ -2,7 +2,8 @@
 
 use pulp::Simd;
 
-use crate::math::radial::power::{Power, WithPower, with_power};
+use crate::math::radial::lanes::InversePower;
+use crate::math::radial::power::LARGEST_EXPONENT;
 use crate::math::radial::{Radial, WithRadial, is_tame};
 
 /// f(s) = K/(s − d0)^θ, a function of the squared distance s, with s − d0 not below a floor:
@@ -29,36 +30,33 @@ impl Repulsion {
     /// Does something with f as a [`Radial`] function; nothing where it has none: exponents
     /// above 4, and squares beyond [`LARGEST_SQUARE`](crate::math::LARGEST_SQUARE).
     pub fn with_radial<V: WithRadial>(self, visitor: V) -> Option<V::Output> {
-        match is_tame(self.floor) && self.squared_distance <= crate::math::LARGEST_SQUARE {
-            true => with_power(self.exponent, Visitor(self, visitor)),
-            false => None,
-        }
+        let tame = is_tame(self.floor) && self.squared_distance <= crate::math::LARGEST_SQUARE;
+        (tame && self.exponent <= LARGEST_EXPONENT).then(|| {
+            visitor.with(OnLanes {
+                repulsion: self,
+                power: InversePower::new(self.exponent),
+            })
+        })
     }
 }
 
 /// f with its power.
 #[derive(Clone, Copy)]
-struct Powered<P>(Repulsion, P);
+struct OnLanes {
+    repulsion: Repulsion,
+    power: InversePower<28>,
+}
 
-impl<P: Power> Radial for Powered<P> {
+impl Radial for OnLanes {
     fn scale(&self) -> f64 {
-        self.0.strength
+        self.repulsion.strength
     }
 
     #[inline(always)]
     fn lanes<S: Simd>(&self, simd: S, squared: S::f64s) -> S::f64s {
-        let beyond = simd.sub_f64s(squared, simd.splat_f64s(self.0.squared_distance));
-        let beyond = simd.max_f64s(beyond, simd.splat_f64s(self.0.floor));
-        self.1.of(simd, beyond)
-    }
-}
-
-struct Visitor<V>(Repulsion, V);
-
-impl<V: WithRadial> WithPower for Visitor<V> {
-    type Output = V::Output;
-
-    fn with<P: Power>(self, power: P) -> V::Output {
-        self.1.with(Powered(self.0, power))
+        let nearest = simd.splat_f64s(self.repulsion.squared_distance);
+        let beyond = simd.sub_f64s(squared, nearest);
+        let beyond = simd.max_f64s(beyond, simd.splat_f64s(self.repulsion.floor));
+        self.power.of(simd, beyond)
     }
 }
