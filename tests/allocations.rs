@@ -28,7 +28,7 @@ where
     let spec = json!({
         "dimension": D,
         "time": { "step": 0.01, "end": 100 },
-        "agents": [{ "radius": 0.2, "positions": positions }],
+        "agents": [{ "radius": 0.2, "positions": { "explicit": positions } }],
         "obstacles": [{ "shape": { "ball": { "radius": 1 } }, "position": beside }],
         "laws": [
             { "alpha_interaction": { "spacing": 2, "range": 2.4, "damping": 1 } },
