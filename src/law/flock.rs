@@ -6,7 +6,7 @@ use crate::law::watches::Watches;
 use crate::law::{Law, Pulls, build};
 use crate::math::{Matrix, Vector, mean};
 use crate::sense::{
-    CHUNK, Cells, History, Near, PARALLEL_FROM, Perception, Scene, Senses, Vicinity,
+    CHUNK, Cells, History, Near, PARALLEL_FROM, Perception, Scene, Senses, Surroundings, Vicinity,
 };
 use crate::shape::Obstacle;
 use crate::world::World;
@@ -34,6 +34,7 @@ struct Stage<const D: usize> {
     vicinity: Vicinity<D>,
     /// Place in the scene of each agent of the world.
     places: Vec<u32>,
+    surroundings: Surroundings<D>,
 }
 
 /// A state of the agents and what stands around them: the input of a flock.
@@ -361,7 +362,9 @@ impl<const D: usize> Stage<D> {
             perception,
             vicinity,
             places,
+            surroundings,
         } = self;
+        surroundings.follow(state.obstacles);
         cells.rebuild(state.positions, side);
         let order = || cells.order().iter().map(|&agent| agent as usize);
         velocities.clear();
@@ -381,6 +384,7 @@ impl<const D: usize> Stage<D> {
             rotations: state.rotations,
             cells,
             obstacles: state.obstacles,
+            surroundings,
             mean_position: mean(state.positions),
             mean_velocity: mean(state.velocities),
             perception: None,
