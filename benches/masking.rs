@@ -8,6 +8,7 @@ use std::time::Instant;
 use serde_json::json;
 use volary::law::{Field, Flock};
 use volary::math::Vector;
+use volary::shape::{Geometry, In};
 use volary::world::World;
 
 /// Rounds of both in turns.
@@ -19,7 +20,10 @@ const STRENGTH: f64 = 3000.0;
 const RADIUS: f64 = 0.4;
 
 /// A flock of one density, agents at least 0.7 apart, in a box.
-fn world<const D: usize>(agents: usize) -> World<D> {
+fn world<const D: usize>(agents: usize) -> World<D>
+where
+    In<D>: Geometry<D>,
+{
     let side = 1.3 * (agents as f64).powf(1.0 / D as f64);
     let spec = json!({
         "dimension": D,
@@ -77,7 +81,10 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-fn compare<const D: usize>(agents: usize) {
+fn compare<const D: usize>(agents: usize)
+where
+    In<D>: Geometry<D>,
+{
     let world = world::<D>(agents);
     let (x, v) = (&world.agents.positions, &world.agents.velocities);
     let mut field = Field::of_world(&world);

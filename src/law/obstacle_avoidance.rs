@@ -31,7 +31,7 @@
 
 use crate::law::Law;
 use crate::math::{Action, Bump, Vector, direction};
-use crate::sense::{Scene, active_obstacles};
+use crate::sense::Scene;
 use crate::shape::{Acting, Obstacle, Projection};
 use crate::world::spec::ObstacleAvoidanceSpec;
 use crate::world::{World, vector};
@@ -90,7 +90,7 @@ impl<const D: usize> Law<D> for ObstacleAvoidance<D> {
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
         for (k, acceleration) in out.iter_mut().enumerate() {
             let (q, p) = (&scene.positions[first + k], &scene.velocities[first + k]);
-            for active in active_obstacles(scene.obstacles, q, self.range) {
+            for active in scene.active_obstacles(q, self.range) {
                 let beta = &active.projection;
                 let distance = beta.distance;
                 let mut sum = beta.normal * -self.action.repulsion(distance - self.standoff);

@@ -3,7 +3,9 @@
 use crate::law::{Law, State};
 use crate::math::{Vector, mean};
 use crate::parallel::gather;
-use crate::sense::{Cells, History, Perception, Scene, Search, Senses, Vicinity};
+use crate::sense::{
+    Cells, History, Perception, Scene, Search, Senses, Surroundings, Vicinity,
+};
 
 /// The state in the order of the scene, kept from step to step to save allocations.
 #[derive(Default)]
@@ -16,6 +18,7 @@ pub(super) struct Stage<const D: usize> {
     groups: Vec<u32>,
     perception: Perception<D>,
     vicinity: Vicinity<D>,
+    surroundings: Surroundings<D>,
 }
 
 /// The largest distance at which some laws look for neighbours, and the largest that is
@@ -37,6 +40,7 @@ impl<const D: usize> Stage<D> {
         senses: Option<&Senses<D>>,
         history: &History<D>,
     ) -> Scene<'a, D> {
+        self.surroundings.follow(state.obstacles);
         let mean_position = mean(state.positions);
         let senses = senses.filter(|_| range > 0.0);
         // Without neighbours to look for, one cell will do, in which agents keep their order.
@@ -70,6 +74,7 @@ impl<const D: usize> Stage<D> {
             rotations: state.rotations,
             search,
             obstacles: state.obstacles,
+            surroundings: &self.surroundings,
             mean_position,
             mean_velocity: mean(state.velocities),
             perception: None,

@@ -26,6 +26,7 @@ pub use normal::normal_quantile;
 pub use ode::{Attempt, DormandPrince, Method, Radau, Solution, Stand, Stuck, Stumble, System};
 pub use potential::Potential;
 pub use radial::{LARGEST_SQUARE, Radial, Repulsion, WithRadial, vectorized};
+pub(crate) use radial::{exp, inverse_square_root};
 pub use time_function::{Interpolation, TimeFunction};
 pub use trajectory::{Moment, Spline, Trajectory, plane_across};
 pub use turn::{sin_cos, sin_cos_of_turns};

@@ -135,7 +135,7 @@ impl<const D: usize> List<D> {
         let reach = range.min(senses.reaches[agent(i)]);
         sight.clear();
         if sense.blocked_by.obstacles {
-            sight.note_obstacles(scene.obstacles, from, reach);
+            sight.note_obstacles(scene.surroundings, from, reach);
         }
         if sense.blocked_by.bodies {
             sight.note_bodies(view.cells, from, reach + senses.largest_body, |place| {

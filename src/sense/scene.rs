@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use crate::math::{Matrix, Vector};
 use crate::sense::cells::HITS;
-use crate::sense::{Cells, Perception, Vicinity};
-use crate::shape::{Obstacle, Projection};
+use crate::sense::{Active, Cells, Perception, Surroundings, Vicinity};
+use crate::shape::Obstacle;
 
 /// The state of the world at one moment, as the laws see it.
 ///
@@ -35,6 +35,8 @@ pub struct Scene<'a, const D: usize> {
     pub rotations: &'a [Matrix<D>],
     /// The obstacles.
     pub obstacles: &'a [Obstacle<D>],
+    /// Where they are.
+    pub(crate) surroundings: &'a Surroundings<D>,
     /// Mean of the positions; of those in scope where the law has a scope.
     pub mean_position: Vector<D>,
     /// Mean of the velocities, likewise.
@@ -96,6 +98,24 @@ impl<const D: usize> Scene<'_, D> {
             None => self.groups.len(),
             Some(_) => (0..self.groups.len()).filter(|&i| self.sees(i)).count(),
         }
+    }
+
+    /// The active obstacles of a point: see [`Surroundings::active`].
+    pub fn active_obstacles(
+        &self,
+        point: &Vector<D>,
+        range: f64,
+    ) -> impl Iterator<Item = Active<D>> {
+        self.surroundings.active(self.obstacles, point, range)
+    }
+
+    /// The indices of the obstacles that stand between two points, in the order of the world.
+    pub fn obstacles_between(
+        &self,
+        from: &Vector<D>,
+        to: &Vector<D>,
+    ) -> impl Iterator<Item = usize> {
+        self.surroundings.between(self.obstacles, from, to)
     }
 
     /// Whether the law may count agent `i` of the scene as a neighbour.
@@ -192,38 +212,4 @@ impl<const D: usize> Scene<'_, D> {
             weight: 1.0,
         }
     }
-}
-
-/// An obstacle, or one part of it, near enough to act on an agent, with the agent's
-/// projection on it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Active<const D: usize> {
-    /// Index of the obstacle.
-    pub obstacle: usize,
-    /// Index of the part that the agent is projected on.
-    pub part: usize,
-    /// The β-agent.
-    pub projection: Projection<D>,
-}
-
-/// The obstacles whose surface is at most `range` from `point`, or that contain it: the
-/// active obstacles of Olfati-Saber (2003), §11, in the order of the world. Of an obstacle
-/// of several parts that act each on its own, all those parts, in their order.
-pub fn active_obstacles<'a, const D: usize>(
-    obstacles: &'a [Obstacle<D>],
-    point: &'a Vector<D>,
-    range: f64,
-) -> impl Iterator<Item = Active<D>> + 'a {
-    obstacles
-        .iter()
-        .enumerate()
-        .filter(move |(_, obstacle)| obstacle.may_reach(point, range))
-        .flat_map(move |(index, obstacle)| {
-            let projections = obstacle.projections(point, range);
-            projections.map(move |(part, projection)| Active {
-                obstacle: index,
-                part,
-                projection,
-            })
-        })
 }

@@ -1,7 +1,7 @@
 //! Lines of sight.
 
 use crate::math::{Matrix, Vector};
-use crate::sense::Cells;
+use crate::sense::{Cells, Surroundings};
 use crate::shape::{Obstacle, Pose, Solid};
 
 /// A body that may stand in the way: the agent's index in the order of the cells, and
@@ -24,9 +24,8 @@ impl<const D: usize> Sight<D> {
     }
 
     /// Notes the obstacles that may hide something at most `range` from `from`.
-    pub fn note_obstacles(&mut self, obstacles: &[Obstacle<D>], from: &Vector<D>, range: f64) {
-        let near = |index: &usize| obstacles[*index].may_reach(from, range);
-        self.obstacles.extend((0..obstacles.len()).filter(near));
+    pub fn note_obstacles(&mut self, surroundings: &Surroundings<D>, from: &Vector<D>, range: f64) {
+        self.obstacles.extend(surroundings.near(from, range));
     }
 
     /// Notes the bodies that may hide something at most `range` from `from`: those of the

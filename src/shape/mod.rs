@@ -6,6 +6,7 @@
 //! derivative of the closest-point map, is added here, once for both dimensions.
 //! An obstacle is made of one such shape or of many, its parts, and may move.
 
+mod boxes;
 mod core;
 mod facet;
 mod motion;
@@ -18,6 +19,8 @@ mod sight;
 mod solid;
 pub mod surface;
 
+pub(crate) use boxes::Boxes;
+pub use boxes::{Bounds, Reach};
 pub use motion::{Easing, Motion, Twist};
 pub use obstacle::{Acting, Obstacle};
 pub use part::Part;
@@ -121,10 +124,12 @@ pub trait Query<const D: usize>: Any + Debug + Send + Sync {
     fn volume_and_inertia(&self) -> (f64, Matrix<3>);
 }
 
-/// A tree of boxes, to find those near to a point among many.
+/// A tree of the bounded ones among some boxes, to find those near to a point or a way.
 pub trait Tree<const D: usize>: Debug + Send + Sync {
-    /// Appends the boxes at most `range` from `point`, in no particular order.
-    fn within(&self, point: &Vector<D>, range: f64, found: &mut Vec<usize>);
+    /// Calls `visit` with the index of each box that something reaches, in no particular order.
+    fn search(&self, reach: &Reach<D>, visit: &mut dyn FnMut(usize));
+    /// Takes the same boxes where they are now.
+    fn fit(&mut self, boxes: &[Bounds<D>]);
     /// The box of the lowest cost. No cost may be below the distance to the box, but for
     /// points inside the box.
     fn nearest(&self, point: &Vector<D>, cost: &dyn Fn(usize) -> f64) -> Option<usize>;
@@ -134,8 +139,8 @@ pub trait Tree<const D: usize>: Debug + Send + Sync {
 pub trait Geometry<const D: usize> {
     /// Prepares a shape for queries; `None` where parry finds no solid in it.
     fn query(shape: &Shape<D>) -> Option<Box<dyn Query<D>>>;
-    /// A tree of some finite boxes, given by lowest and highest corner.
-    fn tree(boxes: &[(Vector<D>, Vector<D>)]) -> Box<dyn Tree<D>>;
+    /// A tree of the bounded ones among some boxes, of which there are three at least.
+    fn tree(boxes: &[Bounds<D>]) -> Box<dyn Tree<D>>;
 }
 
 /// The dimension `D` as a type, to hang per-dimension code on.

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use crate::math::Vector;
+use crate::shape::boxes::{Bounds, Boxes};
 use crate::shape::parts::Parts;
 use crate::shape::projection::Projection;
-use crate::shape::{Geometry, In, Motion, Part, Pose, Shape, Solid, Twist};
+use crate::shape::{Geometry, In, Motion, Part, Pose, Reach, Shape, Solid, Twist};
 
 /// What stands in the way: one convex part or many, in one rigid frame. Copies share what
 /// was prepared for queries.
@@ -19,7 +20,7 @@ pub struct Obstacle<const D: usize> {
     pub(super) parts: Arc<Parts<D>>,
     /// The outline of parts that are solid together, where their own edges are not it.
     outline: Option<Arc<Parts<D>>>,
-    bounds: (Vector<D>, Vector<D>),
+    bounds: Bounds<D>,
     moving: Option<Moving<D>>,
 }
 
@@ -131,8 +132,14 @@ impl<const D: usize> Obstacle<D> {
     /// Whether `point` is within `range` of the obstacle's bounding box: a cheap test
     /// that never misses an obstacle within range.
     pub fn may_reach(&self, point: &Vector<D>, range: f64) -> bool {
+        let point = *point;
+        self.is_met(&Reach::Around { point, range })
+    }
+
+    /// Whether something reaches its bounding box.
+    pub(super) fn is_met(&self, reach: &Reach<D>) -> bool {
         let (min, max) = &self.bounds;
-        (0..D).all(|k| point[k] >= min[k] - range && point[k] <= max[k] + range)
+        reach.meets(min, max)
     }
 
     /// Projects a point onto the surface, from outside or inside. Inside, and exactly
@@ -167,25 +174,22 @@ impl<const D: usize> Obstacle<D> {
     /// The projections that act on an agent at most `range` away: of an obstacle of one
     /// part, or that acts by its nearest point, the only one; otherwise that on each part
     /// in range, in their order. Each comes with the index of its part.
-    pub fn projections(
-        &self,
+    pub fn projections<'a>(
+        &'a self,
         point: &Vector<D>,
         range: f64,
-    ) -> impl Iterator<Item = (usize, Projection<D>)> + use<D> {
+    ) -> impl Iterator<Item = (usize, Projection<D>)> + use<'a, D> {
+        let point = *point;
         let single = self.parts.list.len() == 1 || self.acting == Acting::Nearest;
-        let (one, each) = if single {
-            (Some(self.nearest(point)), Vec::new())
-        } else {
-            let local = self.pose.point_to_local(point);
-            let mut each = self.parts.within(&local, range);
-            for (_, projection) in &mut each {
-                *projection = self.in_world(point, projection.clone());
-            }
-            (None, each)
-        };
+        let one = single.then(|| self.nearest(&point));
+        let each = (!single).then(|| {
+            let local = self.pose.point_to_local(&point);
+            let each = self.parts.within(local, range);
+            each.map(move |(part, projection)| (part, self.in_world(&point, projection)))
+        });
         one.into_iter()
             .filter(move |(_, it)| it.distance <= range)
-            .chain(each)
+            .chain(each.into_iter().flatten())
     }
 
     fn in_world(&self, point: &Vector<D>, local: Projection<D>) -> Projection<D> {
@@ -261,6 +265,19 @@ impl<const D: usize> Obstacle<D> {
     /// Finds the bounds at the present pose.
     fn find_bounds(&mut self) {
         self.bounds = self.parts.bounds(&self.pose);
+    }
+}
+
+impl<const D: usize> Boxes<D> {
+    /// Takes the bounding boxes of some obstacles, where they are now.
+    pub(crate) fn about(&mut self, obstacles: &[Obstacle<D>]) {
+        match obstacles.first() {
+            None => *self = Self::default(),
+            Some(first) => {
+                let boxes = obstacles.iter().map(|obstacle| obstacle.bounds);
+                self.follow(boxes, first.parts.plant);
+            }
+        }
     }
 }
 

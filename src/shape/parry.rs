@@ -10,7 +10,7 @@ use super::parry::query::{self, Ray};
 use super::parry::shape::{Segment, SharedShape};
 use super::{D, hull_faces, inertia, parry, rotation};
 use crate::math::{Matrix, Vector};
-use crate::shape::{Face, Geometry, In, Pose, Query, Shape, Tree};
+use crate::shape::{Bounds, Face, Geometry, In, Pose, Query, Reach, Shape, Tree};
 
 /// A pose in parry's terms.
 pub(crate) fn pose(pose: &Pose<D>) -> ParryPose {
@@ -61,16 +61,19 @@ impl Geometry<D> for In<D> {
         }))
     }
 
-    fn tree(boxes: &[(Vector<D>, Vector<D>)]) -> Box<dyn Tree<D>> {
-        let boxes: Vec<Aabb> = boxes
-            .iter()
-            .map(|(min, max)| Aabb::new(vector(min), vector(max)))
-            .collect();
-        Box::new(ParryTree(Bvh::from_leaves(
-            BvhBuildStrategy::Binned,
-            &boxes,
-        )))
+    fn tree(boxes: &[Bounds<D>]) -> Box<dyn Tree<D>> {
+        let leaves = bounded(boxes);
+        Box::new(ParryTree(Bvh::from_iter(BvhBuildStrategy::Binned, leaves)))
     }
+}
+
+/// The bounded ones among some boxes, with their indices.
+fn bounded(boxes: &[Bounds<D>]) -> impl Iterator<Item = (usize, Aabb)> {
+    let boxes = boxes
+        .iter()
+        .map(|(min, max)| Aabb::new(vector(min), vector(max)));
+    let finite = |it: &Aabb| it.mins.is_finite() && it.maxs.is_finite();
+    boxes.enumerate().filter(move |(_, it)| finite(it))
 }
 
 /// Parry's tree of boxes.
@@ -88,10 +91,21 @@ fn distance(node: &BvhNode, point: ParryVector) -> f64 {
 }
 
 impl Tree<D> for ParryTree {
-    fn within(&self, point: &Vector<D>, range: f64, found: &mut Vec<usize>) {
-        let point = vector(point);
-        let near = self.0.leaves(|node| distance(node, point) <= range);
-        found.extend(near.map(|leaf| leaf as usize));
+    fn search(&self, reach: &Reach<D>, visit: &mut dyn FnMut(usize)) {
+        let met = |node: &BvhNode| {
+            reach.meets(
+                &node.mins().to_array().into(),
+                &node.maxs().to_array().into(),
+            )
+        };
+        (self.0.leaves(met)).for_each(|leaf| visit(leaf as usize));
+    }
+
+    fn fit(&mut self, boxes: &[Bounds<D>]) {
+        for (index, at) in bounded(boxes) {
+            self.0.insert_or_update_partially(at, index as u32, 0.0);
+        }
+        self.0.refit_without_opt();
     }
 
     fn nearest(&self, point: &Vector<D>, cost: &dyn Fn(usize) -> f64) -> Option<usize> {

@@ -5,7 +5,7 @@ use crate::dynamics::Snapshot;
 use crate::math::Vector;
 use crate::metric::{Terms, laws_record, measure};
 use crate::net::Net;
-use crate::sense::active_obstacles;
+use crate::sense::Surroundings;
 use crate::shape::Obstacle;
 use crate::trace::record::{
     BetaAgent, Bodies as BodyProperties, FORMAT, Frame, Header, LawAccelerations, ObstaclePose,
@@ -143,16 +143,16 @@ impl<const D: usize> Simulation<D> {
 }
 
 fn beta_agents<const D: usize>(state: &Snapshot<'_, D>, range: f64) -> Vec<BetaAgent> {
+    let surroundings = Surroundings::new(state.obstacles);
     let of_agent = |agent: usize| {
-        active_obstacles(state.obstacles, &state.positions[agent], range).map(move |active| {
-            BetaAgent {
-                agent,
-                obstacle: active.obstacle,
-                part: (state.obstacles[active.obstacle].parts().len() > 1).then_some(active.part),
-                position: list(&active.projection.point),
-                velocity: list(&active.projection.velocity(&state.velocities[agent])),
-                distance: active.projection.distance,
-            }
+        let active = surroundings.active(state.obstacles, &state.positions[agent], range);
+        active.map(move |active| BetaAgent {
+            agent,
+            obstacle: active.obstacle,
+            part: (state.obstacles[active.obstacle].parts().len() > 1).then_some(active.part),
+            position: list(&active.projection.point),
+            velocity: list(&active.projection.velocity(&state.velocities[agent])),
+            distance: active.projection.distance,
         })
     };
     (0..state.positions.len()).flat_map(of_agent).collect()

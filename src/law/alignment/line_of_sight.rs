@@ -2,7 +2,7 @@
 
 use crate::law::alignment::crowd::{Crowd, Stretch};
 use crate::sense::{Scene, body_blocks};
-use crate::shape::{Obstacle, Solid};
+use crate::shape::Solid;
 use crate::world::World;
 use crate::world::spec::LineOfSightSpec;
 
@@ -83,9 +83,8 @@ impl<const D: usize> LineOfSight<D> {
                 },
             );
         }
-        let blocks = |obstacle: &&Obstacle<D>| obstacle.blocks(from, to);
         let obstacles = match self.obstacles < 1.0 {
-            true => scene.obstacles.iter().filter(blocks).count(),
+            true => scene.obstacles_between(from, to).count(),
             false => 0,
         };
         [bodies, obstacles]

@@ -72,9 +72,9 @@ pub struct Alignment<const D: usize> {
     gains: Gains,
     weights: Option<Weights>,
     orientation: Option<Orientation>,
-    masking: Option<Masking>,
+    masking: Option<Masking<D>>,
     sight: Option<LineOfSight<D>>,
-    /// All agents, where it matters who stands between two.
+    /// All agents, where it matters whose body stands between two.
     crowd: Crowd<D>,
     /// Where influence is a known kernel of all pairs and nothing else.
     all_pairs: Option<AllPairs<D>>,
@@ -159,22 +159,13 @@ impl<const D: usize> Alignment<D> {
     /// returned.
     fn row(&self, scene: &Scene<'_, D>, i: usize, links: &mut Vec<Link<D>>) -> f64 {
         let first = links.len();
-        scene.neighbours(i, self.reach(), |neighbour| {
-            let mut weight = self.unseen(scene, i, &neighbour);
-            if weight != 0.0
-                && let Some(sight) = &self.sight
-            {
-                weight *= sight.factor(&self.crowd, scene, i, neighbour.index);
+        self.unseen(scene, i, links);
+        if let Some(sight) = &self.sight {
+            for link in &mut links[first..] {
+                link.weight *= sight.factor(&self.crowd, scene, i, link.index);
             }
-            // What is no number must stay, so that the run fails.
-            if weight != 0.0 {
-                links.push(Link {
-                    index: neighbour.index,
-                    weight,
-                    velocity: neighbour.velocity,
-                });
-            }
-        });
+            drop_idle(links, first);
+        }
         let own = self.own(scene, i);
         let links = &mut links[first..];
         let sum = links.iter().fold(own, |sum, link| sum + link.weight);
@@ -194,8 +185,26 @@ impl<const D: usize> Alignment<D> {
         if divisor == 0.0 { 1.0 } else { divisor }
     }
 
+    /// The influences on agent `i` before normalisation, whatever stands in the line of sight,
+    /// appended to `links`.
+    fn unseen(&self, scene: &Scene<'_, D>, i: usize, links: &mut Vec<Link<D>>) {
+        let first = links.len();
+        scene.neighbours(i, self.reach(), |neighbour| {
+            links.push(Link {
+                index: neighbour.index,
+                weight: self.unmasked(scene, i, &neighbour),
+                velocity: neighbour.velocity,
+            });
+        });
+        drop_idle(links, first);
+        if let Some(masking) = &self.masking {
+            masking.weaken(scene.positions, i, &mut links[first..]);
+            drop_idle(links, first);
+        }
+    }
+
     /// The influence of a neighbour before normalisation, whatever stands between.
-    fn unseen(&self, scene: &Scene<'_, D>, i: usize, neighbour: &Neighbour<D>) -> f64 {
+    fn unmasked(&self, scene: &Scene<'_, D>, i: usize, neighbour: &Neighbour<D>) -> f64 {
         let mut weight = self.kernel.value(neighbour.squared) * neighbour.weight;
         if let Some(weights) = &self.weights {
             let [me, other] = [i, neighbour.index].map(|place| scene.agents[place] as usize);
@@ -203,11 +212,6 @@ impl<const D: usize> Alignment<D> {
         }
         if let Some(orientation) = &self.orientation {
             weight *= orientation.factor(&scene.velocities[i], &neighbour.offset);
-        }
-        if weight != 0.0
-            && let Some(masking) = &self.masking
-        {
-            weight *= masking.factor(&self.crowd, scene, i, neighbour.index);
         }
         weight
     }
@@ -284,10 +288,12 @@ impl<const D: usize> Law<D> for Alignment<D> {
     }
 
     fn prepare(&mut self, scene: &Scene<'_, D>) {
-        let body = self.sight.as_ref().and_then(LineOfSight::largest_body);
-        let mask = self.masking.as_ref().map(Masking::least_width);
-        if let Some(least) = body.into_iter().chain(mask).reduce(f64::min) {
-            self.crowd.rebuild(scene.positions, least);
+        if let Some(largest) = self.sight.as_ref().and_then(LineOfSight::largest_body) {
+            self.crowd.rebuild(scene.positions, largest);
+        }
+        let all = self.reach().is_infinite() && self.weights.is_none();
+        if let Some(masking) = &mut self.masking {
+            masking.prepare(scene.positions, scene.agents, all);
         }
         if let Some(all_pairs) = &mut self.all_pairs {
             all_pairs.prepare(scene, scene.velocities);
@@ -321,13 +327,13 @@ impl<const D: usize> Law<D> for Alignment<D> {
         let Some(sight) = &self.sight else {
             return;
         };
-        scene.neighbours(i, self.reach(), |neighbour| {
-            if self.unseen(scene, i, &neighbour) != 0.0
-                && sight.blockers(&self.crowd, scene, i, neighbour.index) != [0, 0]
-            {
-                visit(neighbour.index);
+        let mut links = Vec::new();
+        self.unseen(scene, i, &mut links);
+        for link in links {
+            if sight.blockers(&self.crowd, scene, i, link.index) != [0, 0] {
+                visit(link.index);
             }
-        });
+        }
     }
 
     fn accelerate(&self, scene: &Scene<'_, D>, first: usize, out: &mut [Vector<D>]) {
@@ -351,4 +357,9 @@ impl<const D: usize> Law<D> for Alignment<D> {
             *acceleration += pull.gain.of(&u);
         }
     }
+}
+
+/// Takes out what has no influence. What is no number must stay, so that the run fails.
+fn drop_idle<const D: usize>(links: &mut Vec<Link<D>>, first: usize) {
+    links.extract_if(first.., |link| link.weight == 0.0).count();
 }

@@ -136,7 +136,7 @@ fn power_of_two<S: Simd>(simd: S, n: S::f64s) -> S::f64s {
 
 /// exp(x) for x ≤ 0, to two units in the last place; 0 below 2^−1022.
 #[inline(always)]
-pub(super) fn exp<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
+pub(crate) fn exp<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
     let x = simd.max_f64s(x, simd.splat_f64s(-800.0));
     let scale = simd.splat_f64s(std::f64::consts::LOG2_E);
     let n = rounded(simd, simd.mul_f64s(x, scale));

@@ -13,6 +13,7 @@ mod repulsion;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use lanes::exp;
 pub use repulsion::Repulsion;
 
 use pulp::{Arch, Scalar128b, Simd, WithSimd, bytemuck::cast};
@@ -61,6 +62,12 @@ pub fn vectorized<Op: WithSimd>(op: Op) -> Op::Output {
         Arch::Scalar => op.with_simd(Scalar128b),
         arch => arch.dispatch(op),
     }
+}
+
+/// 1/√x for normal x up to [`LARGEST_SQUARE`], to one unit in the last place.
+#[inline(always)]
+pub(crate) fn inverse_square_root<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
+    lanes::inverse_root::<S, 2>(simd, x)
 }
 
 /// Whether a square, of a length or of what is added to one, is within what lanes take.
