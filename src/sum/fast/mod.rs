@@ -52,6 +52,7 @@
 
 mod agents;
 mod convolution;
+mod fold;
 mod gemm;
 mod grade;
 mod grid;
@@ -61,6 +62,8 @@ mod level;
 mod lists;
 mod nearby;
 mod passes;
+mod products;
+mod transform;
 mod tree;
 
 #[cfg(test)]
