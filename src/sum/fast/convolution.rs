@@ -110,7 +110,8 @@ impl<const D: usize> Convolution<D> {
         let given = self.channels.given;
         for (channel, values) in values.chunks_exact(self.grid()).enumerate() {
             self.transform.forward(slab, values, scratch);
-            let places = (channel..).step_by(given).map(|block| block * PAIR);
+            let blocks = (channel..).step_by(given).take(self.parts());
+            let places = blocks.map(|block| block * PAIR);
             write(&scratch.slab, spectrum, places);
         }
     }
@@ -144,7 +145,7 @@ impl<const D: usize> Convolution<D> {
             for (channel, values) in values.chunks_exact_mut(self.grid()).enumerate() {
                 let [re, im] = &mut scratch.slab;
                 for parts in [&mut *re, &mut *im] {
-                    parts.resize(self.parts() * LANES, 0.0);
+                    parts.resize(parts.len().max(self.parts() * LANES), 0.0);
                 }
                 let blocks = sums.chunks_exact(PAIR).skip(channel).step_by(wanted);
                 let parts = re.chunks_exact_mut(LANES).zip(im.chunks_exact_mut(LANES));
@@ -190,7 +191,7 @@ impl<const D: usize> Convolution<D> {
                 for slab in 0..self.slabs() {
                     transform.forward(slab, grid, &mut scratch);
                     let first = slab * self.parts() * self.ways() + way;
-                    let blocks = (first..).step_by(self.ways());
+                    let blocks = (first..).step_by(self.ways()).take(self.parts());
                     let places = blocks.map(|block| (block * kernels + index) * PAIR);
                     write(&scratch.slab, &mut symbols, places);
                 }

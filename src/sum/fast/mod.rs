@@ -63,6 +63,7 @@ mod lists;
 mod nearby;
 mod passes;
 mod products;
+mod signs;
 mod transform;
 mod tree;
 

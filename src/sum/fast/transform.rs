@@ -10,6 +10,7 @@ use pulp::Arch;
 
 use super::fold::sums_of;
 use super::gemm::{multiply, padded};
+use super::signs::{Join, Split};
 use crate::math::sin_cos_of_turns;
 
 /// Tables of a transform: of nodes whose middle is at 0.
@@ -29,6 +30,8 @@ pub(super) struct Transform<const D: usize> {
     forth: Vec<f64>,
     /// By frequency: the cosines at their nodes, and the sines at theirs, with zeros elsewhere.
     back: [Vec<f64>; 2],
+    /// 1 for the frequencies of a padded row that have another sign.
+    signed: Vec<f64>,
 }
 
 /// What transforms are worked out in.
@@ -37,7 +40,6 @@ pub(super) struct Scratch {
     first: Vec<f64>,
     second: Vec<f64>,
     third: Vec<f64>,
-    none: Vec<f64>,
     wave: Vec<f64>,
     /// Real and imaginary parts of a slab, line by line.
     pub slab: [Vec<f64>; 2],
@@ -93,6 +95,9 @@ impl<const D: usize> Transform<D> {
             columns: [table(0, true), table(1, true)],
             forth,
             back,
+            signed: (0..long)
+                .map(|k| f64::from(u8::from((1..kept).contains(&k))))
+                .collect(),
         }
     }
 
@@ -139,48 +144,38 @@ impl<const D: usize> Transform<D> {
                 false,
             );
         }
-        let line = 2 * kept - 1;
-        let [re, im] = &mut scratch.slab;
-        for parts in [&mut *re, &mut *im] {
-            parts.resize(padded(self.slab()), 0.0);
-            parts[self.slab()..].fill(0.0);
-        }
-        let count = self.slab();
-        let (re, im) = (&mut re[..count], &mut im[..count]);
-        let none = &*room(&mut scratch.none, 2 * long);
-        if D == 2 {
-            let (plain, turned) = second.split_at(2 * long);
-            arch.dispatch(|| join(kept, [[plain, none], [turned, none]], 1.0, re, im));
-            return;
-        }
-        let square = kept * 2 * long;
-        let third = room(&mut scratch.third, 4 * square);
-        for (index, third) in third.chunks_exact_mut(square).enumerate() {
-            let (from, count) = self.places(index % 2);
-            let from = (index / 2 * nodes + from) * 2 * long;
-            multiply(
-                arch,
-                [kept, count, 2 * long],
-                (&self.rows[index % 2], count),
-                (&second[from..], 2 * long),
-                third,
-                false,
-            );
-        }
-        arch.dispatch(|| {
-            for k in 0..kept {
-                let row = |index: usize| &third[index * square + k * 2 * long..][..2 * long];
-                let rows = [[row(0), row(1)], [row(2), row(3)]];
-                let mut write = |at: usize, sign: f64| {
-                    let at = at * line..(at + 1) * line;
-                    join(kept, rows, sign, &mut re[at.clone()], &mut im[at]);
-                };
-                write(k, 1.0);
-                if k > 0 {
-                    write(kept - 1 + k, -1.0);
-                }
+        let square = kept.pow(D as u32 - 2) * 2 * long;
+        let products = if D == 2 {
+            second
+        } else {
+            let third = room(&mut scratch.third, 4 * square);
+            for (index, third) in third.chunks_exact_mut(square).enumerate() {
+                let (from, count) = self.places(index % 2);
+                let from = (index / 2 * nodes + from) * 2 * long;
+                multiply(
+                    arch,
+                    [kept, count, 2 * long],
+                    (&self.rows[index % 2], count),
+                    (&second[from..], 2 * long),
+                    third,
+                    false,
+                );
             }
+            third
+        };
+        let count = self.slab();
+        for parts in &mut scratch.slab {
+            parts.resize(padded(count + long), 0.0);
+        }
+        let [re, im] = &mut scratch.slab;
+        arch.dispatch(Join::<D> {
+            kept,
+            products,
+            slab: [&mut *re, &mut *im],
         });
+        for parts in &mut scratch.slab {
+            parts[count..].fill(0.0);
+        }
     }
 
     /// Adds to half the sums and differences of a grid what a slab comes to there, and the
@@ -192,36 +187,23 @@ impl<const D: usize> Transform<D> {
         let (short, long) = (padded(nodes), padded(kept));
         let planes = nodes.pow(D as u32 - 2);
         let rest = planes * short;
-        let line = 2 * kept - 1;
-        let none = &*room(&mut scratch.none, line);
-        let [re, im] = &scratch.slab;
-        let second = room(&mut scratch.second, 2 * planes * 2 * long);
-        if D == 2 {
-            let (plain, turned) = second.split_at_mut(2 * long);
-            let mut others = [vec![0.0; 2 * long], vec![0.0; 2 * long]];
-            let [with, without] = &mut others;
-            let rows = [[plain, &mut with[..]], [turned, &mut without[..]]];
-            arch.dispatch(|| part(kept, [[re, im], [none, none]], rows));
+        let square = kept.pow(D as u32 - 2) * 2 * long;
+        for parts in &mut scratch.slab {
+            // What is beyond is read with the last, and given no weight.
+            parts.resize(padded(self.slab() + long), 0.0);
+        }
+        let split = Split::<D> {
+            kept,
+            slab: scratch.slab.each_ref().map(|part| &part[..]),
+            signed: &self.signed,
+            products: room(&mut scratch.third, 4 * square),
+        };
+        arch.dispatch(split);
+        let third = &scratch.third[..4 * square];
+        let second = if D == 2 {
+            third
         } else {
-            let square = kept * 2 * long;
-            let third = room(&mut scratch.third, 4 * square);
-            arch.dispatch(|| {
-                let mut parts = third.chunks_exact_mut(square);
-                let [a, b, c, d] = std::array::from_fn(|_| parts.next().expect("there are 4"));
-                for k in 0..kept {
-                    let at = |at: usize| [&re[at * line..][..line], &im[at * line..][..line]];
-                    let opposite = match k {
-                        0 => [none, none],
-                        k => at(kept - 1 + k),
-                    };
-                    let row = k * 2 * long..(k + 1) * 2 * long;
-                    let rows = [
-                        [&mut a[row.clone()], &mut b[row.clone()]],
-                        [&mut c[row.clone()], &mut d[row]],
-                    ];
-                    part(kept, [at(k), opposite], rows);
-                }
-            });
+            let second = room(&mut scratch.second, 2 * planes * 2 * long);
             for (index, third) in third.chunks_exact(square).enumerate() {
                 let (to, count) = self.places(index % 2);
                 let to = (index / 2 * nodes + to) * 2 * long;
@@ -234,7 +216,8 @@ impl<const D: usize> Transform<D> {
                     false,
                 );
             }
-        }
+            second
+        };
         let first = room(&mut scratch.first, 2 * rest);
         for (kind, table) in self.back.iter().enumerate() {
             // Whole registers before the first that holds a difference are left out.
@@ -267,73 +250,3 @@ impl<const D: usize> Transform<D> {
     }
 }
 
-/// A line of a slab of so many frequencies with both signs, from the products of cosines and
-/// sines: `rows[a][b]` holds those with a sine along the first axis if a is 1, along the
-/// second if b is, and of these with a cosine along the last, then with a sine. `sign` is that
-/// of the frequency along the second axis.
-#[inline(always)]
-fn join(kept: usize, rows: [[&[f64]; 2]; 2], sign: f64, re: &mut [f64], im: &mut [f64]) {
-    let long = padded(kept);
-    let at = |a: usize, b: usize, c: usize| &rows[a][b][c * long..][..kept];
-    let [even_re, odd_re] = [[at(0, 0, 0), at(1, 1, 0)], [at(1, 0, 1), at(0, 1, 1)]];
-    let [even_im, odd_im] = [[at(1, 0, 0), at(0, 1, 0)], [at(0, 0, 1), at(1, 1, 1)]];
-    // Each sine comes with −i.
-    let parts = |j: usize| {
-        [
-            even_re[0][j] - sign * even_re[1][j],
-            -(odd_re[0][j] + sign * odd_re[1][j]),
-            -(even_im[0][j] + sign * even_im[1][j]),
-            sign * odd_im[1][j] - odd_im[0][j],
-        ]
-    };
-    let (re, negative_re) = re.split_at_mut(kept);
-    let (im, negative_im) = im.split_at_mut(kept);
-    for j in 0..kept {
-        let [even_re, odd_re, even_im, odd_im] = parts(j);
-        re[j] = even_re + odd_re;
-        im[j] = even_im + odd_im;
-    }
-    for j in 1..kept {
-        let [even_re, odd_re, even_im, odd_im] = parts(j);
-        negative_re[j - 1] = even_re - odd_re;
-        negative_im[j - 1] = even_im - odd_im;
-    }
-}
-
-/// The other way: what cosines and sines are to be multiplied by, of two lines of opposite
-/// frequencies along the second axis, each with its real and imaginary parts.
-#[inline(always)]
-fn part(kept: usize, lines: [[&[f64]; 2]; 2], rows: [[&mut [f64]; 2]; 2]) {
-    let long = padded(kept);
-    let [plain, turned] = rows;
-    let [plain, turned] = [plain, turned].map(|[with, without]| {
-        [with, without].map(|row| {
-            let (cosines, sines) = row.split_at_mut(long);
-            [&mut cosines[..kept], &mut sines[..kept]]
-        })
-    });
-    let [[p00, p01], [p10, p11]] = plain;
-    let [[t00, t01], [t10, t11]] = turned;
-    let mut write = |j: usize, negative: [[f64; 2]; 2]| {
-        // By line, then real and imaginary: sum and difference over signs of the last axis.
-        let sums = |line: usize, part: usize| {
-            let (plus, minus) = (lines[line][part][j], negative[line][part]);
-            [plus + minus, plus - minus]
-        };
-        let [[re, im], [other_re, other_im]] =
-            [[sums(0, 0), sums(0, 1)], [sums(1, 0), sums(1, 1)]];
-        // Each sine comes with i.
-        p00[j] = re[0] + other_re[0];
-        t00[j] = -(im[0] + other_im[0]);
-        p01[j] = -(im[1] + other_im[1]);
-        t01[j] = -(re[1] + other_re[1]);
-        p10[j] = other_im[0] - im[0];
-        t10[j] = other_re[0] - re[0];
-        p11[j] = other_re[1] - re[1];
-        t11[j] = im[1] - other_im[1];
-    };
-    write(0, [[0.0; 2]; 2]);
-    for j in 1..kept {
-        write(j, lines.map(|line| line.map(|part| part[kept - 1 + j])));
-    }
-}
