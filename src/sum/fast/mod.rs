@@ -248,7 +248,7 @@ impl<const D: usize> FastSums<D> {
             let grade = match grades.iter().find(|(known, _)| *known == side) {
                 Some((_, grade)) => *grade,
                 None => {
-                    let grade = profile.grade(side);
+                    let grade = profile.grade(side, D as i32);
                     grades.push((side, grade));
                     grade
                 }
