@@ -78,7 +78,10 @@ mod tests {
                 .sum();
             assert_eq!(folded[0], corners);
             unfold::<3>(nodes, &mut folded, 0.5);
-            for (line, before) in folded.chunks(padded(nodes)).zip(values.chunks(padded(nodes))) {
+            for (line, before) in folded
+                .chunks(padded(nodes))
+                .zip(values.chunks(padded(nodes)))
+            {
                 assert_eq!(line[..nodes], before[..nodes]);
             }
         }

@@ -30,6 +30,8 @@ pub(super) struct Profile<'a> {
     pub kernel: &'a dyn Fn(f64) -> f64,
     /// Whether it is multiplied by the way from source to target.
     pub along: bool,
+    /// The distance at which it counts for most.
+    pub strongest: f64,
     /// What a pair's error may be at most, as a share of the kernel at its distance.
     pub error: f64,
     /// The least value that errors are measured by.
@@ -60,7 +62,10 @@ impl Profile<'_> {
                 reach: Some(reach),
             })
         })?;
-        let anywhere = self.nodes(side, axes, &anywhere());
+        // Lines that lie by the cell's size would miss a kernel that is far narrower.
+        let mut lines = anywhere();
+        lines.push([0.0, self.strongest / (side / 2.0)]);
+        let anywhere = self.nodes(side, axes, &lines);
         let anywhere = anywhere.filter(|nodes| *nodes <= apart.nodes + EXTRA);
         Some(anywhere.map_or(apart, |nodes| Grade { nodes, reach: None }))
     }
@@ -175,9 +180,9 @@ impl Weights {
 /// across it.
 fn apart(reach: usize) -> Vec<Lines> {
     let gap = 2.0 * reach as f64;
-    let along = [2.0, 4.0].into_iter().flat_map(|more| {
-        [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0].map(|off| [gap + more, off])
-    });
+    let along = [2.0, 4.0]
+        .into_iter()
+        .flat_map(|more| [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0].map(|off| [gap + more, off]));
     let across = (0..=reach)
         .flat_map(|sides| [0.0, 0.3, 1.0, 2.0].map(|off| [2.0 * sides as f64, gap + off]));
     along.chain(across).collect()

@@ -103,10 +103,12 @@ pub(super) fn tell<const D: usize>(
         .par_chunks_exact_mut(given_of_one)
         .for_each(|given| fold::<D>(nodes, given));
     for slab in 0..convolution.slabs() {
-        (spectra.par_chunks_exact_mut(size).zip(given.par_chunks_exact(given_of_one)))
-            .for_each_init(Scratch::default, |scratch, (spectrum, given)| {
-                convolution.forward(slab, given, spectrum, scratch)
-            });
+        (spectra
+            .par_chunks_exact_mut(size)
+            .zip(given.par_chunks_exact(given_of_one)))
+        .for_each_init(Scratch::default, |scratch, (spectrum, given)| {
+            convolution.forward(slab, given, spectrum, scratch)
+        });
         let groups = wanted.par_chunks_mut(GROUP * wanted_of_one);
         groups.enumerate().for_each_init(
             <(Vec<f64>, Scratch)>::default,

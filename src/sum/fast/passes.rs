@@ -50,21 +50,15 @@ impl<const D: usize> Passes<'_, D> {
     /// The sums of all agents, row by row of channels, in the order of the tree.
     pub fn run(&self, nodes: &mut Nodes, sums: &mut [f64]) {
         nodes.told.resize_with(self.levels.len(), Default::default);
-        let t = std::time::Instant::now(); //TMP
         for index in (1..=self.levels.len()).rev() {
-            let t = std::time::Instant::now(); //TMP
             self.collect(index, nodes);
-            let a = t.elapsed().as_secs_f64(); //TMP
             self.between(index, nodes);
-            if std::env::var("T").is_ok() { eprintln!("level {index} side {} {:?} cells {} leaves {} collect {a:.4} between {:.4}", self.levels[index-1].side, self.levels[index-1].grade, self.tree.levels[index].len(), self.tree.levels[index].iter().filter(|c| c.is_leaf()).count(), t.elapsed().as_secs_f64()-a); } //TMP
             std::mem::swap(&mut nodes.together, &mut nodes.below);
         }
         for index in 1..=self.levels.len() {
             self.hand_down(index, nodes);
         }
-        let a = t.elapsed().as_secs_f64(); //TMP
         self.finish(nodes, sums);
-        if std::env::var("T").is_ok() { eprintln!("down by {a:.4} finish {:.4}", t.elapsed().as_secs_f64()-a); } //TMP
     }
 
     /// From agents, or from children, to the nodes of the cells of a level, and from there to

@@ -50,8 +50,7 @@ impl<const D: usize> WithSimd for Join<'_, D> {
             let at = line * (2 * kept - 1);
             for (register, first) in (0..long).step_by(S::F64_LANES).enumerate() {
                 let [re_even, re_odd, im_even, im_odd] = joined(simd, blocks, sign, register);
-                for (out, even, odd) in [(&mut *re, re_even, re_odd), (&mut *im, im_even, im_odd)]
-                {
+                for (out, even, odd) in [(&mut *re, re_even, re_odd), (&mut *im, im_even, im_odd)] {
                     store::<S>(out, at + first, simd.add_f64s(even, odd));
                 }
             }
@@ -59,8 +58,7 @@ impl<const D: usize> WithSimd for Join<'_, D> {
             let last = [re[middle], im[middle]];
             for (register, first) in (0..long).step_by(S::F64_LANES).enumerate() {
                 let [re_even, re_odd, im_even, im_odd] = joined(simd, blocks, sign, register);
-                for (out, even, odd) in [(&mut *re, re_even, re_odd), (&mut *im, im_even, im_odd)]
-                {
+                for (out, even, odd) in [(&mut *re, re_even, re_odd), (&mut *im, im_even, im_odd)] {
                     store::<S>(out, middle + first, simd.sub_f64s(even, odd));
                 }
             }
@@ -78,12 +76,7 @@ fn lines<const D: usize>(kept: usize) -> usize {
 /// Real parts, even and odd in the frequency along the last axis, and imaginary ones. Each sine
 /// comes with −i, and with the sign of its frequency.
 #[inline(always)]
-fn joined<S: Simd>(
-    simd: S,
-    blocks: [&[S::f64s]; 4],
-    sign: S::f64s,
-    j: usize,
-) -> [S::f64s; 4] {
+fn joined<S: Simd>(simd: S, blocks: [&[S::f64s]; 4], sign: S::f64s, j: usize) -> [S::f64s; 4] {
     let [a, b, c, d] = blocks;
     let k = a.len() / 2 + j;
     [
@@ -143,7 +136,10 @@ impl<const D: usize> WithSimd for Split<'_, D> {
                     let at = [here + first, opposite + first];
                     *sums = over_signs(simd, from, at, kept, [signed, weight]);
                 }
-                let [[[re_00, re_10], [re_01, re_11]], [[im_00, im_10], [im_01, im_11]]] = sums;
+                let [
+                    [[re_00, re_10], [re_01, re_11]],
+                    [[im_00, im_10], [im_01, im_11]],
+                ] = sums;
                 // Each sine comes with i.
                 let plain = [
                     re_00,

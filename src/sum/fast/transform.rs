@@ -249,4 +249,3 @@ impl<const D: usize> Transform<D> {
         }
     }
 }
-
