@@ -34,9 +34,9 @@
 //! relative to its mean first, so differences of a flock that nearly agrees keep their digits.
 //! Interpolation is held to ε for each pair of agents, wherever they lie in their cells; it is
 //! measured at some places along each axis, not proved. Errors of many pairs have no common
-//! sign: those of the sums of an even flock are a thousand times less. A flock all of whose
-//! pairs lie in the worst places of their cells, such as a tight one and one agent apart, can
-//! come near ε. At the least ε, 1e-10, nodes are chosen so that rounding stays below it too.
+//! sign: those of the sums of even flocks were found to be hundreds of times less. A flock
+//! all of whose pairs lie in the worst places of their cells, such as a tight one and one agent
+//! apart, can come near ε. At the least ε, 1e-10, nodes are chosen so that rounding stays below it too.
 //!
 //! # Bits
 //!
