@@ -1,7 +1,8 @@
 //! Fast sums over all pairs against direct ones.
 //!
-//! `cargo bench --bench fast_sums` prints tables, on one thread. Both are timed in turns within
-//! one run, and the ratio is the median of the rounds' ratios.
+//! `cargo bench --bench fast_sums` prints tables, on one thread and on two. Both ways are timed in
+//! turns within one run, and the ratio is the median of the rounds' ratios. Errors are those of
+//! some sums against plain loops, as the documentation of `volary::sum::fast` measures them.
 
 use std::time::Instant;
 
@@ -12,7 +13,10 @@ use volary::sum::fast::{FastSums, Kernel};
 use volary::sum::{Cloud, Point, Sums, mutual};
 
 /// Rounds in turns.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 3;
+
+/// Agents whose sums are looked at.
+const LOOKED_AT: usize = 50;
 
 /// Agents in a box of some side, with velocities.
 fn flock<const D: usize>(count: usize, side: f64) -> [Vec<Vector<D>>; 2] {
@@ -85,8 +89,40 @@ fn compare<const D: usize>(name: &str, kernel: &Kernel, count: usize, side: f64)
     let ratios = slow.iter().zip(&quick).map(|(slow, quick)| slow / quick);
     let (ratio, quick) = (median(ratios.collect()), median(quick));
     let slow = median(slow);
-    println!("| {name} | {D} | {count} | {side:.0} | {slow:.3} | {quick:.3} | {ratio:.1} |");
+    let error = error(kernel, &positions, carried, &sums);
+    println!(
+        "| {name} | {D} | {count} | {side:.0} | {slow:.3} | {quick:.3} | {ratio:.1} | {error:.0e} |"
+    );
     quick
+}
+
+/// The largest error of some sums, over what they would be if no terms cancelled.
+fn error<const D: usize>(
+    kernel: &Kernel,
+    positions: &[Vector<D>],
+    carried: &[Vector<D>],
+    sums: &[Sums<D>],
+) -> f64 {
+    let middle = carried.iter().sum::<Vector<D>>() / carried.len() as f64;
+    let spread = |k: usize| (carried[k] - middle).norm();
+    let of = |i: usize| {
+        let (mut drive, mut size) = (Vector::zeros(), 0.0);
+        for (j, position) in positions.iter().enumerate() {
+            let squared = (position - positions[i]).norm_squared();
+            let value = match kernel {
+                Kernel::Influence(influence) => influence.value(squared),
+                Kernel::Force(potential) => potential.force_over_distance(squared),
+            };
+            drive += (carried[j] - carried[i]) * value;
+            size += match kernel {
+                Kernel::Influence(_) => value * (spread(i) + spread(j)),
+                Kernel::Force(_) => value * squared.sqrt(),
+            };
+        }
+        (sums[i].drive - drive).norm() / size
+    };
+    let some = (0..LOOKED_AT).map(|k| of(k * positions.len() / LOOKED_AT));
+    some.fold(0.0, f64::max)
 }
 
 /// The most memory that was ever held, in GiB, where the system tells.
@@ -98,13 +134,25 @@ fn memory() -> Option<f64> {
 }
 
 fn series<const D: usize>(name: &str, kernel: &Kernel, side: impl Fn(usize) -> f64) {
-    let counts = [3_000, 10_000, 30_000, 100_000, 1_000_000];
+    let counts = [10_000, 30_000, 100_000, 1_000_000];
     let times = counts.map(|count| compare::<D>(name, kernel, count, side(count)));
-    let exponent = (times[4] / times[1]).log10() / 2.0;
+    let exponent = (times[3] / times[0]).log10() / 2.0;
     let memory = memory().map_or("unknown".to_owned(), |gib| format!("{gib:.2} GiB"));
+    println!("\n{name}, {D}-D: time grows from 10,000 to 1,000,000 like N^{exponent:.2};");
+    println!("memory so far at most {memory}.\n");
+}
+
+fn head(threads: usize) {
+    println!("On {threads} thread(s):\n");
     println!(
-        "| {name} | {D} | growth from 10,000 to 1,000,000: {exponent:.2} | memory so far: {memory} |"
+        "| kernel | dimension | agents | side | direct, s | fast, s | direct / fast | error |"
     );
+    println!("|---|---|---|---|---|---|---|---|");
+}
+
+fn on(threads: usize, work: impl FnOnce() + Send) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    pool.build().expect("threads can be made").install(work);
 }
 
 fn main() {
@@ -117,17 +165,30 @@ fn main() {
         height: 1.0,
         decay: 1.0,
     });
-    println!("| kernel | dimension | agents | side | direct, s | fast, s | direct / fast |");
-    println!("|---|---|---|---|---|---|---|");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    pool.expect("a thread can be made").install(|| {
-        for (name, kernel) in [("Cucker-Smale", &influence), ("Gaussian", &gaussian)] {
-            // A length of the kernel apart, so that the box grows.
-            series::<2>(name, kernel, |count| (count as f64).sqrt());
-            series::<3>(name, kernel, |count| (count as f64).cbrt());
+    on(1, || {
+        head(1);
+        // A length of the kernel apart, so that the box grows.
+        series::<2>("Cucker-Smale", &influence, |count| (count as f64).sqrt());
+        series::<3>("Cucker-Smale", &influence, |count| (count as f64).cbrt());
+        head(1);
+        for count in [10_000, 100_000] {
+            compare::<2>("Gaussian", &gaussian, count, (count as f64).sqrt());
+            compare::<3>("Gaussian", &gaussian, count, (count as f64).cbrt());
         }
-        // A box that does not.
-        series::<2>("Cucker-Smale, fixed box", &influence, |_| 30.0);
-        series::<3>("Cucker-Smale, fixed box", &influence, |_| 10.0);
+        // Around where `auto` begins, agents a third of a length and three lengths apart.
+        for apart in [1.0 / 3.0, 1.0, 3.0] {
+            let count = FastSums::<2>::CROSSOVER;
+            let side = apart * (count as f64).sqrt();
+            compare::<2>("Cucker-Smale", &influence, count, side);
+            let count = FastSums::<3>::CROSSOVER;
+            let side = apart * (count as f64).cbrt();
+            compare::<3>("Cucker-Smale", &influence, count, side);
+        }
+        println!();
+    });
+    on(2, || {
+        head(2);
+        compare::<2>("Cucker-Smale", &influence, 100_000, 100_000f64.sqrt());
+        compare::<3>("Cucker-Smale", &influence, 100_000, 100_000f64.cbrt());
     });
 }

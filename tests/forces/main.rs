@@ -8,6 +8,7 @@ mod drag;
 mod pairs;
 mod patterns;
 mod promises;
+mod summation;
 mod symmetry;
 mod worlds;
 

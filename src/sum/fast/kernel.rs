@@ -12,17 +12,36 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// Whether it can be summed fast: a bounded function of the distance that is known, never ends
-    /// and has no change of sign. Influences are, but for the bump, for exponents above 4
-    /// and for functions of one's own; of the potentials, the Gaussian one.
+    /// Whether it can be summed fast: a bounded function of the distance that is known, never
+    /// ends and has no change of sign, or an attraction in proportion to the distance, or both.
+    /// Influences are, but for the bump, for exponents above 4 and for functions of one's own; of
+    /// the potentials, the Gaussian one, the attraction and that of Gazi and Passino.
     pub fn is_smooth(&self) -> bool {
-        match self {
-            Self::Influence(influence) => influence.with_radial(Known).is_some(),
-            Self::Force(potential @ Potential::Gaussian { .. }) => {
-                potential.with_radial(Known).is_some()
+        self.parts().is_some()
+    }
+
+    /// The function that is bounded, if there is one, and the factor of the way that comes on
+    /// top; nothing where it cannot be summed fast.
+    pub(super) fn parts(&self) -> Option<(Option<Self>, f64)> {
+        let (bounded, factor) = match self {
+            Self::Influence(_) | Self::Force(Potential::Gaussian { .. }) => (self.clone(), 0.0),
+            Self::Force(Potential::Attraction { stiffness }) => return Some((None, -stiffness)),
+            &Self::Force(Potential::GaziPassino {
+                attraction,
+                repulsion,
+                squared_length,
+            }) => {
+                let bounded = Potential::GaziPassino {
+                    attraction: 0.0,
+                    repulsion,
+                    squared_length,
+                };
+                (Self::Force(bounded), -attraction)
             }
-            Self::Force(_) => false,
-        }
+            Self::Force(_) => return None,
+        };
+        bounded.with_radial(Known)?;
+        Some((Some(bounded), factor))
     }
 
     /// Whether it is multiplied by the way between the two.
@@ -39,15 +58,20 @@ impl Kernel {
         }
     }
 
-    /// The most that one agent can count for.
-    pub(super) fn peak(&self) -> f64 {
+    /// The most that one agent can count for, after the distance at which it does.
+    pub(super) fn largest(&self) -> [f64; 2] {
         match self {
-            Self::Influence(influence) => influence.value(0.0),
+            Self::Influence(influence) => [0.0, influence.value(0.0)],
             Self::Force(_) => (-400..400)
                 .map(|quarter| libm::exp2(f64::from(quarter) / 4.0))
-                .map(|distance| (self.value(distance * distance) * distance).abs())
-                .fold(0.0, f64::max),
+                .map(|distance| [distance, (self.value(distance * distance) * distance).abs()])
+                .fold([0.0; 2], |most, it| if it[1] > most[1] { it } else { most }),
         }
+    }
+
+    /// The most that one agent can count for.
+    pub(super) fn peak(&self) -> f64 {
+        self.largest()[1]
     }
 
     /// Does something with it on the lanes of vector registers.

@@ -26,7 +26,7 @@ impl Lattice {
         let factorial = |n: usize| (1..=n).fold(1.0, |product, j| product * j as f64);
         let scale = |k: usize| {
             let above = nodes - 1 - k;
-            let sign = if above % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if above.is_multiple_of(2) { 1.0 } else { -1.0 };
             sign / (factorial(k) * factorial(above))
         };
         Self {

@@ -2,11 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::convolution::{Channels, Convolution, Scratch};
+use super::convolution::{Channels, Convolution};
+use super::fold::{fold, unfold};
 use super::grade::{Grade, Profile};
 use super::grid::Change;
 use super::lattice::Lattice;
 use super::lists::Lists;
+use super::transform::Scratch;
 
 /// Targets that are worked on at once: near each other, they share their sources.
 const GROUP: usize = 8;
@@ -81,33 +83,47 @@ impl<const D: usize> Level<D> {
     }
 }
 
-/// Adds to the values at some cells' nodes what others tell them: `sources` has a list for
-/// each cell of those it hears and the ways in which they lie.
+/// Writes to the nodes of some cells what others tell them: `sources` has a list for each cell
+/// of those it hears and the ways in which they lie. What is given is folded on the way, and
+/// comes back but for rounding.
 pub(super) fn tell<const D: usize>(
     convolution: &Convolution<D>,
-    given: &[f64],
+    given: &mut [f64],
     sources: &Lists<(u32, u32)>,
     spectra: &mut Vec<f64>,
     wanted: &mut [f64],
 ) {
     let cells = sources.len();
+    let nodes = convolution.nodes;
+    let (given_of_one, wanted_of_one) = (given.len() / cells, wanted.len() / cells);
     let size = convolution.slab_given();
     // Not cleared: every number is written before it is read.
     spectra.resize(cells * size, 0.0);
+    given
+        .par_chunks_exact_mut(given_of_one)
+        .for_each(|given| fold::<D>(nodes, given));
     for slab in 0..convolution.slabs() {
-        let of_cell = given.par_chunks_exact(given.len() / cells);
-        (spectra.par_chunks_exact_mut(size).zip(of_cell))
-            .for_each_init(Scratch::default, |scratch, (spectrum, given)| {
-                convolution.forward(slab, given, spectrum, scratch)
-            });
-        let groups = wanted.par_chunks_mut(GROUP * (wanted.len() / cells));
-        groups
-            .enumerate()
-            .for_each_init(Scratch::default, |scratch, (group, wanted)| {
+        (spectra
+            .par_chunks_exact_mut(size)
+            .zip(given.par_chunks_exact(given_of_one)))
+        .for_each_init(Scratch::default, |scratch, (spectrum, given)| {
+            convolution.forward(slab, given, spectrum, scratch)
+        });
+        let groups = wanted.par_chunks_mut(GROUP * wanted_of_one);
+        groups.enumerate().for_each_init(
+            <(Vec<f64>, Scratch)>::default,
+            |(sums, scratch), (group, wanted)| {
                 let first = group * GROUP;
                 let last = cells.min(first + GROUP);
                 let lists: Vec<_> = (first..last).map(|cell| sources.of(cell)).collect();
-                convolution.back(slab, &lists, spectra, wanted, scratch);
-            });
+                convolution.back(slab, &lists, spectra, wanted, (sums, scratch));
+            },
+        );
     }
+    given
+        .par_chunks_exact_mut(given_of_one)
+        .for_each(|given| unfold::<D>(nodes, given, 0.5));
+    wanted
+        .par_chunks_exact_mut(wanted_of_one)
+        .for_each(|wanted| unfold::<D>(nodes, wanted, 1.0));
 }

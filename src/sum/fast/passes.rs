@@ -153,7 +153,7 @@ impl<const D: usize> Passes<'_, D> {
         let spectra = &mut nodes.spectra;
         tell(
             &level.siblings,
-            &nodes.together,
+            &mut nodes.together,
             &sources,
             spectra,
             together,
@@ -172,7 +172,7 @@ impl<const D: usize> Passes<'_, D> {
                 }
                 sources.end();
             }
-            tell(convolution, &nodes.own, &sources, spectra, own);
+            tell(convolution, &mut nodes.own, &sources, spectra, own);
         }
     }
 

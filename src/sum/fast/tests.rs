@@ -1,5 +1,8 @@
 //! Fast sums against direct ones.
 
+use proptest::array::uniform2;
+use proptest::collection::vec;
+use proptest::prelude::{ProptestConfig, prop_assert, proptest};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -24,9 +27,12 @@ enum Layout {
     Apart,
     /// All at the same few points.
     Points,
+    /// All on a straight line along no axis.
+    Line,
 }
 
-const LAYOUTS: [Layout; 8] = [
+const LAYOUTS: [Layout; 9] = [
+    Layout::Line,
     Layout::Box(40.0),
     Layout::Box(2.0),
     Layout::Clusters,
@@ -64,6 +70,7 @@ fn flock<const D: usize>(layout: Layout, count: usize) -> [Vec<Vector<D>>; 2] {
         (Layout::Strays, place) => place * 50.0,
         (Layout::Apart, _) if agent == 0 => Vector::repeat(31.0),
         (Layout::Apart, place) => place * 0.1,
+        (Layout::Line, place) => Vector::from_fn(|axis, _| place[0] * (50.0 - 20.0 * axis as f64)),
         (Layout::Points, place) => place.map(|x| (x * 3.0).floor() * 5.0),
     });
     let positions = positions.collect();
@@ -99,25 +106,37 @@ fn direct<const D: usize>(kernel: &Kernel, points: [&[Vector<D>]; 2]) -> Vec<Sum
 /// The largest errors of drive and weight, as shares of what they are to be measured by.
 fn errors<const D: usize>(kernel: &Kernel, error: f64, layout: Layout, count: usize) -> [f64; 2] {
     let [positions, velocities] = flock::<D>(layout, count);
-    let carried = if kernel.along() {
-        &positions
-    } else {
-        &velocities
+    let carried = match kernel.along() {
+        true => &positions,
+        false => &velocities,
     };
-    let exact = direct(kernel, [&positions, carried]);
+    errors_of(kernel, error, &positions, carried)
+}
+
+/// The same of given agents.
+fn errors_of<const D: usize>(
+    kernel: &Kernel,
+    error: f64,
+    positions: &[Vector<D>],
+    carried: &[Vector<D>],
+) -> [f64; 2] {
+    let count = positions.len();
+    let exact = direct(kernel, [positions, carried]);
     let mut fast = FastSums::new(kernel.clone(), error).expect("a smooth kernel");
     let mut sums = Vec::new();
-    assert!(fast.run(&positions, carried, &mut sums), "{layout:?}");
+    assert!(fast.run(positions, carried, &mut sums), "it can be had");
     let middle = mean(carried);
     let spread = |i: usize| match kernel.along() {
         true => 0.0,
         false => (carried[i] - middle).norm(),
     };
     let far = (0..count).map(spread).sum::<f64>() / count as f64;
-    let floor = kernel.peak() * if kernel.along() { 1.0 } else { far };
+    let (bounded, factor) = kernel.parts().expect("a smooth kernel");
+    let peak = bounded.as_ref().map_or(0.0, Kernel::peak);
+    let floor = peak * if kernel.along() { 1.0 } else { far };
     let mut worst = [0.0f64; 2];
     for i in (0..count).step_by(7) {
-        let (mut weight, mut drive) = (kernel.peak(), floor + kernel.peak() * spread(i));
+        let (mut weight, mut drive) = (peak, floor + peak * spread(i));
         for j in 0..count {
             let squared = (positions[i] - positions[j]).norm_squared();
             let value = kernel.value(squared).abs();
@@ -150,6 +169,14 @@ fn gaussian() -> Kernel {
     })
 }
 
+fn gazi_passino() -> Kernel {
+    Kernel::Force(Potential::GaziPassino {
+        attraction: 1.0,
+        repulsion: 20.0,
+        squared_length: 0.2,
+    })
+}
+
 fn assert_within<const D: usize>(kernel: &Kernel, error: f64, layout: Layout, count: usize) {
     let found = errors::<D>(kernel, error, layout, count);
     let largest = found[0].max(found[1]);
@@ -168,6 +195,7 @@ fn errors_are_those_asked_for_however_agents_lie() {
         assert_within::<3>(&cucker_smale(0.5), 1e-6, layout, 2500);
     }
     assert_within::<3>(&gaussian(), 1e-6, Layout::Box(8.0), 2500);
+    assert_within::<2>(&gazi_passino(), 1e-6, Layout::Box(40.0), 1500);
 }
 
 #[test]
@@ -196,6 +224,46 @@ fn errors_are_those_asked_for_whatever_is_asked_for() {
         }
     }
     assert_within::<3>(&cucker_smale(0.5), 1e-3, Layout::Box(20.0), 2500);
+}
+
+#[test]
+fn attraction_in_proportion_to_the_distance_is_exact_but_for_rounding() {
+    let attraction = Kernel::Force(Potential::Attraction { stiffness: 0.7 });
+    for layout in [Layout::Box(40.0), Layout::Strays, Layout::Points] {
+        let [drive, _] = errors::<3>(&attraction, 1e-6, layout, 1500);
+        assert!(drive <= 1e-13, "{layout:?}: {drive}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// What agents give each other cancels, for kernels are even; and it is what direct sums
+    /// say, of any flock.
+    #[test]
+    fn any_flock_keeps_its_mean(
+        places in vec(uniform2(-1.0..1.0f64), 2..200),
+        scale in -2.0..3.0f64,
+        stretch in -4.0..0.0f64,
+        exponent in 0.1..2.0f64,
+        error in -9.0..-1.0f64,
+    ) {
+        let size = [10f64.powf(scale), 10f64.powf(scale + stretch)];
+        let positions: Vec<_> = places
+            .iter()
+            .map(|place| Vector::<2>::from_fn(|axis, _| size[axis] * place[axis]))
+            .collect();
+        let velocities: Vec<_> = places.iter().rev().map(|&place| place.into()).collect();
+        let (kernel, error) = (cucker_smale(exponent), 10f64.powf(error));
+        let [drive, weight] = errors_of(&kernel, error, &positions, &velocities);
+        prop_assert!(drive <= error && weight <= error, "{drive} {weight}");
+        let mut sums = Vec::new();
+        let mut fast = FastSums::new(kernel.clone(), error).expect("a smooth kernel");
+        prop_assert!(fast.run(&positions, &velocities, &mut sums));
+        let total: Vector<2> = sums.iter().map(|it| it.drive).sum();
+        let size: f64 = sums.iter().map(|it| it.weight + kernel.peak()).sum();
+        prop_assert!(total.norm() <= 4.0 * error * size, "{total} of {size}");
+    }
 }
 
 #[test]

@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "Summation")]
 pub enum SummationSpec {
-    /// Fast, to a relative error of 1e-6, from as many agents on as make it the faster way: 10,000
-    /// in the plane, 20,000 in space. Directly below that, and wherever `fast` would be refused.
+    /// Fast, to a relative error of 1e-6, from as many agents on as make it the faster way:
+    /// 10,000 in the plane, 50,000 in space. Directly below that, and wherever `fast` would be
+    /// refused.
     #[default]
     Auto,
     /// Pair by pair, to rounding.
@@ -17,7 +18,9 @@ pub enum SummationSpec {
     /// Over a tree, in a time that grows almost like the number of agents. Only where a smooth
     /// kernel of all pairs is summed and nothing else: no range, no scope, no senses, no factors
     /// by graph, orientation, masking or line of sight. Kernels: all influences but the bump and
-    /// those of Cucker and Smale with an exponent above 4; of the potentials, the Gaussian.
+    /// those of Cucker and Smale with an exponent above 4; of the potentials, the Gaussian one,
+    /// the attraction, and that of Gazi and Passino. Directly all the same where nodes do not
+    /// reach the error.
     Fast(FastSpec),
 }
 
