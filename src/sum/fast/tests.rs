@@ -131,7 +131,7 @@ fn errors_of<const D: usize>(
         false => (carried[i] - middle).norm(),
     };
     let far = (0..count).map(spread).sum::<f64>() / count as f64;
-    let (bounded, factor) = kernel.parts().expect("a smooth kernel");
+    let (bounded, _) = kernel.parts().expect("a smooth kernel");
     let peak = bounded.as_ref().map_or(0.0, Kernel::peak);
     let floor = peak * if kernel.along() { 1.0 } else { far };
     let mut worst = [0.0f64; 2];
