@@ -110,7 +110,8 @@ where
         "agents": [{ "radius": 0.01, "positions": { "explicit": rows } }],
         "laws": [{ "alignment": {
             "kernel": { "cucker_smale": { "strength": 1, "length": 1, "exponent": exponent } },
-            "normalisation": "motsch_tadmor"
+            "normalisation": "motsch_tadmor",
+            "summation": "direct"
         } }]
     });
     let spec = serde_json::from_value(spec).expect("the world is well formed");

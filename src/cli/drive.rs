@@ -174,7 +174,8 @@ fn recorder(
 /// How many threads a command may use.
 #[derive(Debug, Args)]
 pub(super) struct Threads {
-    /// Number of threads, all cores when absent; the result is the same on any number
+    /// Number of threads that simulate, all cores when absent; the result is the same on any
+    /// number. A trace is written by one more
     #[arg(
         long,
         value_name = "N",

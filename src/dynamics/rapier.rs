@@ -167,8 +167,6 @@ impl Rapier {
         // and of every contact.
         parameters.contact_recycling = false;
         parameters.contact_clustering = false;
-        // Contacts are foreseen along the whole travel, so nothing is left for sweeps.
-        parameters.max_ccd_substeps = 0;
 
         let agents = &world.agents;
         for i in 0..agents.len() {

@@ -3,9 +3,7 @@
 use crate::law::{Law, State};
 use crate::math::{Vector, mean};
 use crate::parallel::gather;
-use crate::sense::{
-    Cells, History, Perception, Scene, Search, Senses, Surroundings, Vicinity,
-};
+use crate::sense::{Cells, History, Perception, Scene, Search, Senses, Surroundings, Vicinity};
 
 /// The state in the order of the scene, kept from step to step to save allocations.
 #[derive(Default)]
@@ -50,6 +48,8 @@ impl<const D: usize> Stage<D> {
             let vicinity = &self.vicinity;
             let search = match listed {
                 true => Search::Lists(vicinity),
+                // All are near all.
+                false if vicinity.cells().is_one() => Search::All,
                 false => Search::Cells(vicinity.cells()),
             };
             (vicinity.cells(), vicinity.places(), search)

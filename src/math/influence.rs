@@ -56,7 +56,7 @@ impl Influence {
                 strength,
                 length,
                 exponent,
-            } => strength * libm::pow(length * length + squared, -exponent),
+            } => strength * inverse_power(length * length + squared, *exponent),
             Self::Bump {
                 strength,
                 range,
@@ -111,6 +111,16 @@ impl fmt::Debug for Influence {
             Self::Exponential { strength, length } => write!(f, "{strength}·exp(−r/{length})"),
             Self::Own(_) => f.write_str("Own(…)"),
         }
+    }
+}
+
+/// x^(−β), by roots for the exponents that are met most.
+fn inverse_power(x: f64, exponent: f64) -> f64 {
+    match exponent {
+        0.25 => x.sqrt().sqrt().recip(),
+        0.5 => x.sqrt().recip(),
+        1.0 => x.recip(),
+        _ => libm::pow(x, -exponent),
     }
 }
 

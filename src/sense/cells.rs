@@ -164,6 +164,11 @@ impl<const D: usize> Cells<D> {
         2.0 * self.pairs as f64 / self.sorted.len().max(1) as f64
     }
 
+    /// Whether one slot holds all agents.
+    pub fn is_one(&self) -> bool {
+        self.starts.len() == 2
+    }
+
     /// The agent at each place of the sorted order.
     pub fn order(&self) -> &[u32] {
         &self.order

@@ -166,6 +166,7 @@ impl<const D: usize> Boxes<D> {
             batch: [0; BATCH],
             waiting: 0..0,
             more: true,
+            asks: 4,
         }
     }
 }
@@ -184,6 +185,9 @@ pub(crate) struct Reached<'a, const D: usize> {
     batch: [u32; BATCH],
     waiting: std::ops::Range<usize>,
     more: bool,
+    /// How often the tree may still be asked. So much is reached then that a look at all is as
+    /// quick.
+    asks: u32,
 }
 
 impl<const D: usize> Iterator for Reached<'_, D> {
@@ -193,8 +197,9 @@ impl<const D: usize> Iterator for Reached<'_, D> {
     fn next(&mut self) -> Option<usize> {
         let all = &self.boxes.all;
         match self.boxes.tree() {
-            Some(tree) if all.len() > FEW => {
+            Some(tree) if all.len() > FEW && (self.asks > 0 || !self.waiting.is_empty()) => {
                 if self.waiting.is_empty() && self.more {
+                    self.asks -= 1;
                     self.ask(tree);
                 }
                 self.waiting.next().map(|k| self.batch[k] as usize)
@@ -248,7 +253,7 @@ impl<const D: usize> Reached<'_, D> {
         self.more = more;
         self.next = self.batch[..count]
             .last()
-            .map_or(0, |&last| last as usize + 1);
+            .map_or(self.boxes.all.len(), |&last| last as usize + 1);
     }
 }
 

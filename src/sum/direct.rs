@@ -95,7 +95,8 @@ fn meet<K: Radial, const D: usize>(radial: K, cloud: &Cloud<D>, meeting: Meeting
                 tallies: [mine, theirs],
             });
         }
-        // The last block is not full: each for itself, which gives the same numbers.
+        // The last block is not full: each for itself. That gives the same to rounding; which
+        // way is taken depends on the number of agents alone.
         ((k, mine), Some((l, theirs))) => {
             gather(k, l, mine);
             gather(l, k, theirs);

@@ -11,6 +11,9 @@ use super::{TraceError, TracePosition, TraceWriter};
 /// slower than records come must hold them up.
 const WAITING: usize = 64;
 
+/// Agents in the frames that may wait, for the same reason.
+const AGENTS_WAITING: usize = 200_000;
+
 /// Writes a trace while it happens, on a thread of its own: turning numbers into text,
 /// compressing and writing do not hold up the run.
 ///
@@ -24,6 +27,8 @@ pub struct BackgroundWriter {
     /// Gone once the thread is asked to end.
     orders: Option<SyncSender<Order>>,
     thread: Option<JoinHandle<Result<(), TraceError>>>,
+    /// Agents in the frames that may still wait.
+    agents: usize,
 }
 
 /// What the thread is to do.
@@ -31,6 +36,8 @@ enum Order {
     Write(Box<Record>),
     /// Tells where the trace stands, with all that was ordered before in it.
     Position(SyncSender<Result<TracePosition, TraceError>>),
+    /// Tells that all that was ordered before is done.
+    Done(SyncSender<()>),
     Finish,
 }
 
@@ -52,6 +59,7 @@ impl BackgroundWriter {
         Ok(Self {
             orders: Some(orders),
             thread: Some(thread),
+            agents: 0,
         })
     }
 
@@ -60,6 +68,13 @@ impl BackgroundWriter {
     /// # Errors
     /// Those of an earlier record. Nothing can be written after that.
     pub fn write(&mut self, record: Record) -> Result<(), TraceError> {
+        if let Record::Frame(frame) = &record {
+            self.agents += frame.positions.len();
+            if self.agents > AGENTS_WAITING {
+                self.ask(Order::Done)?;
+                self.agents = frame.positions.len();
+            }
+        }
         self.order(Order::Write(Box::new(record)))
     }
 
@@ -68,13 +83,17 @@ impl BackgroundWriter {
     /// # Errors
     /// Those of [`TraceWriter::position`], and of an earlier record.
     pub fn position(&mut self) -> Result<TracePosition, TraceError> {
+        self.ask(Order::Position)?
+    }
+
+    /// Waits for the answer to an order.
+    fn ask<T>(&mut self, order: impl FnOnce(SyncSender<T>) -> Order) -> Result<T, TraceError> {
         let (reply, answer) = sync_channel(1);
-        self.order(Order::Position(reply))?;
-        match answer.recv() {
-            Ok(position) => position,
-            // It ended over an earlier record.
-            Err(_) => Err(self.end().err().unwrap_or_else(gone)),
-        }
+        self.order(order(reply))?;
+        // Without an answer, it ended over an earlier record.
+        answer
+            .recv()
+            .map_err(|_| self.end().err().unwrap_or_else(gone))
     }
 
     /// Writes what waits and closes the trace.
@@ -123,6 +142,9 @@ fn obey(mut writer: TraceWriter, orders: &Receiver<Order>) -> Result<(), TraceEr
             Order::Position(reply) => {
                 // Who asked waits for the answer.
                 let _ = reply.send(writer.position());
+            }
+            Order::Done(reply) => {
+                let _ = reply.send(());
             }
             Order::Finish => return writer.finish(),
         }

@@ -94,8 +94,14 @@ impl<const D: usize> Bodies<D> {
         let chunks = verdicts.par_iter_mut().enumerate().zip(out_by_chunk);
         for_each(self.wanted.len(), chunks, decide);
         [self.pushes, self.forces, self.applied, self.ahead] = out;
-        verdicts.iter().for_each(|it| self.actuators.count(it.cuts));
-        let broken = verdicts.iter().find_map(|it| it.broken);
+        let mut broken = None;
+        for verdict in &verdicts {
+            self.actuators.count(verdict.cuts);
+            broken = verdict.broken;
+            if broken.is_some() {
+                break;
+            }
+        }
         self.verdicts = verdicts;
         match broken {
             None => Ok(()),

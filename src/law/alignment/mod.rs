@@ -291,7 +291,10 @@ impl<const D: usize> Law<D> for Alignment<D> {
         if let Some(largest) = self.sight.as_ref().and_then(LineOfSight::largest_body) {
             self.crowd.rebuild(scene.positions, largest);
         }
-        let all = self.reach().is_infinite() && self.weights.is_none();
+        let all = self.reach().is_infinite()
+            && self.weights.is_none()
+            && scene.perception.is_none()
+            && scene.visible.is_none();
         if let Some(masking) = &mut self.masking {
             masking.prepare(scene.positions, scene.agents, all);
         }

@@ -9,8 +9,9 @@ pub(super) struct Table {
     numbers: Vec<f64>,
 }
 
-/// Below this many agents, handing rows to other threads costs more than it saves.
-const PARALLEL_FROM: usize = 64;
+/// Below this many rows, handing them to other threads costs more than it saves: a row is many
+/// times the work that an agent is elsewhere.
+const ROWS_IN_PARALLEL: usize = 64;
 
 impl Table {
     /// Forgets all, and takes so many agents: `fill` is to write the numbers of an agent and all
@@ -23,7 +24,7 @@ impl Table {
             .map(|agent| (agent, left.split_off_mut(..agent).unwrap_or_default()))
             .collect();
         let fill = |(agent, row): (usize, &mut [f64])| fill(agent, row);
-        if agents < PARALLEL_FROM {
+        if agents < ROWS_IN_PARALLEL {
             rows.into_iter().for_each(fill);
         } else {
             // The longest first.
