@@ -19,10 +19,16 @@ const EXTRA: usize = 3;
 /// How far a pair of agents in distant cells may be off, over what sums may be: places where
 /// interpolation is at its worst are few, its errors elsewhere are less and of either sign, and
 /// agents nearby, that count for more, have none.
-pub(super) const PAIR: f64 = 100.0;
+const PAIR: f64 = 100.0;
 
-/// The most that such a pair may be off by, whatever is asked for.
-const COARSEST: f64 = 0.1;
+/// The most that such a pair may be off by, but where more is asked for of sums: there are
+/// flocks of a few points.
+const COARSEST: f64 = 0.01;
+
+/// How far such a pair may be off, by what sums may be.
+pub(super) fn of_pair(error: f64) -> f64 {
+    (PAIR * error).min(COARSEST).max(error)
+}
 
 /// The share of the error that one axis may have: those of several add up, though they are
 /// hardly ever at their largest together.
@@ -63,7 +69,7 @@ type Lines = [f64; 2];
 impl Profile<'_> {
     /// The grade of cells of a side, of so many axes; nothing where interpolation does not do.
     pub fn grade(&self, side: f64, axes: i32) -> Option<Grade> {
-        let pair = (PAIR * self.error).min(COARSEST);
+        let pair = of_pair(self.error);
         let apart = (1..=FARTHEST).find_map(|reach| {
             let nodes = self.nodes(side, axes, &apart(reach), pair)?;
             Some(Grade {

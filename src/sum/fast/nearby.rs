@@ -167,11 +167,15 @@ impl<K: Radial, const D: usize> WithSimd for Loops<K, Forced<'_, '_, D>> {
     fn with_simd<S: Simd>(self, simd: S) {
         let Self(radial, Forced(nearby)) = self;
         let [ones] = nearby.crowd.registers::<S, 1>(D);
-        nearby.meet(simd, radial.scale(), |j, squared, way, sums: &mut [_; D]| {
-            let value = simd.mul_f64s(radial.lanes(simd, squared), ones[j]);
-            for (sum, part) in sums.iter_mut().zip(way) {
-                *sum = simd.mul_add_e_f64s(value, part, *sum);
-            }
-        });
+        nearby.meet(
+            simd,
+            radial.scale(),
+            |j, squared, way, sums: &mut [_; D]| {
+                let value = simd.mul_f64s(radial.lanes(simd, squared), ones[j]);
+                for (sum, part) in sums.iter_mut().zip(way) {
+                    *sum = simd.mul_add_e_f64s(value, part, *sum);
+                }
+            },
+        );
     }
 }
