@@ -34,16 +34,16 @@
 //! relative to its mean first, so differences of a flock that nearly agrees keep their digits.
 //!
 //! With the requested relative error ε, the root mean square of these errors over the agents of
-//! a flock is at most ε. This is what sums are tested for, on even, dense and sparse flocks, clusters,
-//! lines, strays, one agent apart and many at one place; it is no proof. An even flock of
-//! 100,000 comes out fifty times as exact in space at 1e-6.
+//! a flock is at most ε. This is what sums are tested for, on even, dense and sparse flocks,
+//! clusters, lines, strays, one agent apart and many at one place; it is no proof. An even
+//! flock of 20,000 in space comes out fifty times as exact at 1e-6.
 //!
 //! What is held, measured at some places along each axis, is the error of each pair of agents,
 //! wherever they lie in their cells: to ε in cells that tell themselves and their neighbours
 //! through nodes, and to 100 ε in distant ones, or to 1 % where that is less and ε is not more.
-//! So no single sum is off by more than that, however the flock lies. It would take a flock all
-//! of whose pairs lie in the worst places of the nearest of those cells: the worst of the
-//! sums of the flocks above were off by no more than 2 ε. At the least ε, 1e-10, nodes are chosen
+//! So no single sum should be off by more than that, however the flock lies. It would take a
+//! flock all of whose pairs lie in the worst places of the nearest of those cells: two clusters
+//! alone, wherever they were put, came to less than ε. At the least ε, 1e-10, nodes are chosen
 //! so that rounding stays below it too.
 //!
 //! # Bits
