@@ -84,9 +84,10 @@ impl<const D: usize> Nearby<'_, '_, D> {
             let here = chosen.map(|target| self.targets.map(|axis| simd.splat_f64s(axis[target])));
             let mut sums = [[zero; W]; TARGETS];
             for j in 0..count {
+                let there = places.map(|row| row[j]);
                 for (here, sums) in here.iter().zip(&mut sums) {
                     let way: [S::f64s; D] =
-                        std::array::from_fn(|axis| simd.sub_f64s(here[axis], places[axis][j]));
+                        std::array::from_fn(|axis| simd.sub_f64s(here[axis], there[axis]));
                     let mut squared = zero;
                     for part in way {
                         squared = simd.mul_add_e_f64s(part, part, squared);
