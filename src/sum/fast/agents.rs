@@ -34,16 +34,16 @@ impl Exchange {
         let count = places[0].len();
         self.weights.resize(D * nodes, [0.0; BATCH]);
         let mut part = [[0.0; LANES]; 32];
-        for axis in 0..D {
+        let of_axes = self.weights.chunks_exact_mut(nodes);
+        for ((weights, places), centre) in of_axes.zip(places).zip(centre) {
             for first in (0..count).step_by(LANES) {
                 let relative = std::array::from_fn(|lane| {
-                    let place = places[axis].get(first + lane);
-                    place.map_or(0.0, |place| place - centre[axis])
+                    let place = places.get(first + lane);
+                    place.map_or(0.0, |place| place - centre)
                 });
                 lattice.weights(&relative, &mut part);
-                for node in 0..nodes {
-                    self.weights[axis * nodes + node][first..first + LANES]
-                        .copy_from_slice(&part[node]);
+                for (weights, part) in weights.iter_mut().zip(&part) {
+                    weights[first..first + LANES].copy_from_slice(part);
                 }
             }
         }
@@ -141,19 +141,15 @@ fn outer<const D: usize>(
     number: &[f64; BATCH],
     rows: &mut [[f64; BATCH]],
 ) {
-    for x in 0..nodes {
-        let mut first = [0.0; BATCH];
-        for agent in 0..BATCH {
-            first[agent] = number[agent] * weights[x][agent];
-        }
+    let (across, along) = weights.split_at(nodes);
+    for (x, across) in across.iter().enumerate() {
+        let first = std::array::from_fn(|agent| number[agent] * across[agent]);
         if D == 2 {
             rows[x] = first;
             continue;
         }
-        for y in 0..nodes {
-            for agent in 0..BATCH {
-                rows[x * nodes + y][agent] = first[agent] * weights[nodes + y][agent];
-            }
+        for (row, along) in rows[x * nodes..][..nodes].iter_mut().zip(along) {
+            *row = std::array::from_fn(|agent| first[agent] * along[agent]);
         }
     }
 }
@@ -165,21 +161,25 @@ fn inner<const D: usize>(
     nodes: usize,
     rows: &[[f64; BATCH]],
 ) -> [f64; BATCH] {
+    let (across, along) = weights.split_at(nodes);
     let mut sums = [0.0; BATCH];
-    for x in 0..nodes {
+    for (x, across) in across.iter().enumerate() {
         let mut line = [0.0; BATCH];
         if D == 2 {
             line = rows[x];
         } else {
-            for y in 0..nodes {
-                for agent in 0..BATCH {
-                    line[agent] += rows[x * nodes + y][agent] * weights[nodes + y][agent];
-                }
+            for (row, along) in rows[x * nodes..][..nodes].iter().zip(along) {
+                add_products(&mut line, row, along);
             }
         }
-        for agent in 0..BATCH {
-            sums[agent] += line[agent] * weights[x][agent];
-        }
+        add_products(&mut sums, &line, across);
     }
     sums
+}
+
+#[inline(always)]
+fn add_products(sums: &mut [f64; BATCH], left: &[f64; BATCH], right: &[f64; BATCH]) {
+    for (sum, (left, right)) in sums.iter_mut().zip(left.iter().zip(right)) {
+        *sum += left * right;
+    }
 }

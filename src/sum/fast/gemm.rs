@@ -111,10 +111,10 @@ impl<V: Copy> Tile<'_, V> {
             std::array::from_fn(|r| &self.left.0[(row + r) * self.left.1..][..self.inner]);
         for j in 0..self.inner {
             let right = &self.right[j * self.stride + column..][..C];
-            for r in 0..R {
-                let factor = simd.splat_f64s(rows[r][j]);
-                for c in 0..C {
-                    sums[r][c] = simd.mul_add_e_f64s(factor, right[c], sums[r][c]);
+            for (sums, row) in sums.iter_mut().zip(&rows) {
+                let factor = simd.splat_f64s(row[j]);
+                for (sum, right) in sums.iter_mut().zip(right) {
+                    *sum = simd.mul_add_e_f64s(factor, *right, *sum);
                 }
             }
         }

@@ -16,6 +16,20 @@ const FARTHEST: usize = 3;
 /// How many nodes more than between distant cells are worth it to have no near cells at all.
 const EXTRA: usize = 3;
 
+/// How far a pair of agents in distant cells may be off, over what sums may be: places where
+/// interpolation is at its worst are few, its errors elsewhere are less and of either sign, and
+/// agents nearby, that count for more, have none.
+const PAIR: f64 = 100.0;
+
+/// The most that such a pair may be off by, but where more is asked for of sums: there are
+/// flocks of a few points.
+const COARSEST: f64 = 0.01;
+
+/// How far such a pair may be off, by what sums may be.
+pub(super) fn of_pair(error: f64) -> f64 {
+    (PAIR * error).min(COARSEST).max(error)
+}
+
 /// The share of the error that one axis may have: those of several add up, though they are
 /// hardly ever at their largest together.
 const SHARE: f64 = 0.7;
@@ -32,7 +46,7 @@ pub(super) struct Profile<'a> {
     pub along: bool,
     /// The distance at which it counts for most.
     pub strongest: f64,
-    /// What a pair's error may be at most, as a share of the kernel at its distance.
+    /// What the error of a sum should be at most, as a share of the kernel's.
     pub error: f64,
     /// The least value that errors are measured by.
     pub floor: f64,
@@ -55,8 +69,9 @@ type Lines = [f64; 2];
 impl Profile<'_> {
     /// The grade of cells of a side, of so many axes; nothing where interpolation does not do.
     pub fn grade(&self, side: f64, axes: i32) -> Option<Grade> {
+        let pair = of_pair(self.error);
         let apart = (1..=FARTHEST).find_map(|reach| {
-            let nodes = self.nodes(side, axes, &apart(reach))?;
+            let nodes = self.nodes(side, axes, &apart(reach), pair)?;
             Some(Grade {
                 nodes,
                 reach: Some(reach),
@@ -65,22 +80,24 @@ impl Profile<'_> {
         // Lines that lie by the cell's size would miss a kernel that is far narrower.
         let mut lines = anywhere();
         lines.push([0.0, self.strongest / (side / 2.0)]);
-        let anywhere = self.nodes(side, axes, &lines);
+        // A tight flock is one cell's alone: all of its pairs may lie in the worst places.
+        let anywhere = self.nodes(side, axes, &lines, self.error);
         let anywhere = anywhere.filter(|nodes| *nodes <= apart.nodes + EXTRA);
         Some(anywhere.map_or(apart, |nodes| Grade { nodes, reach: None }))
     }
 
-    /// The least number of nodes that do for all of some lines, if any does.
-    fn nodes(&self, side: f64, axes: i32, lines: &[Lines]) -> Option<usize> {
+    /// The least number of nodes that interpolate along all of some lines to an error, if any
+    /// does.
+    fn nodes(&self, side: f64, axes: i32, lines: &[Lines], error: f64) -> Option<usize> {
         (Lattice::LEAST..=MOST).find(|&nodes| {
             let lattice = Lattice::new(nodes, side);
             let weights = Weights::new(&lattice, side / 2.0);
             // What rounding comes to when it is as large as it can be along one line, and has
             // no common sign along others.
             let rounding = f64::EPSILON * weights.sum().powi(2 * axes - 1);
-            let most = SHARE * self.error - rounding;
-            let fits = |lines: &Lines| self.worst(&weights, lattice.spacing, side / 2.0, lines);
-            most > 0.0 && lines.iter().all(|lines| fits(lines) <= most)
+            let most = SHARE * error - rounding;
+            let worst = |lines: &Lines| self.worst(&weights, lattice.spacing, side / 2.0, lines);
+            rounding < SHARE * self.error && lines.iter().all(|lines| worst(lines) <= most)
         })
     }
 

@@ -246,12 +246,12 @@ impl<const D: usize> Passes<'_, D> {
                 let mut channels: Vec<_> = by_channel.chunks_exact_mut(count).collect();
                 exchange.spread::<D>(self.arch, lattice, &centre, places, values, &mut channels);
                 self.meet(crowd, index, place);
-                self.kernel.with_radial(Nearby::<D> {
+                let nearby = Nearby::<D> {
                     crowd,
                     targets: places,
-                    along: self.kernel.along(),
                     wanted: &mut channels,
-                });
+                };
+                nearby.run(self.kernel);
                 for (agent, sums) in sums.chunks_exact_mut(wanted).enumerate() {
                     let channels = channels.iter();
                     sums.iter_mut()

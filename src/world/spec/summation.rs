@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[schemars(rename = "Summation")]
 pub enum SummationSpec {
     /// Fast, to a relative error of 1e-6, from as many agents on as make it the faster way:
-    /// 10,000 in the plane, 50,000 in space. Directly below that, and wherever `fast` would be
+    /// 10,000 in the plane, 30,000 in space. Directly below that, and wherever `fast` would be
     /// refused.
     #[default]
     Auto,
@@ -37,7 +37,8 @@ impl SummationSpec {
 #[schemars(rename = "Fast")]
 pub struct FastSpec {
     /// Error of a sum Σ_j φ_ij c_j over Σ_j φ_ij |c_j|, where c_j is what agent j carries
-    /// relative to the mean, and where nobody is near, over φ(0) and the mean |c_j| as well.
+    /// relative to the mean, and where nobody is near, over φ(0) and the mean |c_j| as well; in
+    /// root mean square over all agents. No single sum is off by more than 100 times as much.
     #[schemars(range(min = 1e-10, max = 0.1))]
     pub relative_error: f64,
 }
