@@ -20,7 +20,7 @@ pub enum SummationSpec {
     /// by graph, orientation, masking or line of sight. Kernels: all influences but the bump and
     /// those of Cucker and Smale with an exponent above 4; of the potentials, the Gaussian one,
     /// the attraction, and that of Gazi and Passino. Directly all the same where nodes do not
-    /// reach the error.
+    /// reach the error, and for fewer than 64 agents. The last digits depend on the processor.
     Fast(FastSpec),
 }
 
