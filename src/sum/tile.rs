@@ -125,8 +125,8 @@ fn pair<S: Simd, K: Radial, const D: usize, const KEEP: bool>(
 ) -> (S::f64s, [S::f64s; D]) {
     let first = simd.sub_f64s(positions[0], held.positions[t][0]);
     let mut squared = simd.mul_f64s(first, first);
-    for axis in 1..D {
-        let offset = simd.sub_f64s(positions[axis], held.positions[t][axis]);
+    for (axis, position) in positions.iter().enumerate().skip(1) {
+        let offset = simd.sub_f64s(*position, held.positions[t][axis]);
         squared = simd.mul_add_f64s(offset, offset, squared);
     }
     let mut weight = radial.lanes(simd, squared);
@@ -173,9 +173,9 @@ impl<K: Radial, const D: usize> WithSimd for Gather<'_, K, D> {
                                 pair::<S, K, D, false>(simd, &self.radial, &held, t, source);
                             let sum = &mut lanes.weight[t][part];
                             *sum = simd.add_f64s(*sum, weight);
-                            for axis in 0..D {
+                            for (axis, drive) in drive.iter().enumerate() {
                                 let sum = &mut lanes.drive[t][axis][part];
-                                *sum = simd.add_f64s(*sum, drive[axis]);
+                                *sum = simd.add_f64s(*sum, *drive);
                             }
                         }
                     }
@@ -218,15 +218,15 @@ impl<K: Radial, const D: usize> WithSimd for Exchange<'_, K, D> {
                         let sum = &mut lanes.weight[t][part];
                         *sum = simd.add_f64s(*sum, weight);
                         their_weight = simd.add_f64s(their_weight, weight);
-                        for axis in 0..D {
+                        for (axis, drive) in drive.iter().enumerate() {
                             let sum = &mut lanes.drive[t][axis][part];
-                            *sum = simd.add_f64s(*sum, drive[axis]);
-                            their_drive[axis] = simd.sub_f64s(their_drive[axis], drive[axis]);
+                            *sum = simd.add_f64s(*sum, *drive);
+                            their_drive[axis] = simd.sub_f64s(their_drive[axis], *drive);
                         }
                     }
                     *register_mut::<S>(&mut theirs.weight, row, part) = their_weight;
-                    for axis in 0..D {
-                        *register_mut::<S>(&mut theirs.drive[axis], row, part) = their_drive[axis];
+                    for (column, drive) in theirs.drive.iter_mut().zip(their_drive) {
+                        *register_mut::<S>(column, row, part) = drive;
                     }
                 }
             }

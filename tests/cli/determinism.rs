@@ -78,6 +78,39 @@ fn large_flocks_that_relax_are_the_same_on_any_number_of_threads() {
     }
 }
 
+/// The same for sums over all pairs, direct and fast, for masking by all of all, and for more
+/// obstacles than are looked at one by one.
+#[test]
+fn sums_over_all_pairs_and_many_obstacles_are_the_same_on_any_number_of_threads() {
+    for dimension in [2, 3] {
+        let mut world = pack(dimension, 600, if dimension == 2 { 30.0 } else { 10.0 });
+        world["record"] = json!({ "every": 0.05 });
+        let kernel = json!({ "cucker_smale": { "strength": 1, "exponent": 0.5 } });
+        let alignment = |more: Value| {
+            let mut law = json!({ "kernel": kernel, "normalisation": "mean_field" });
+            law.as_object_mut()
+                .unwrap()
+                .extend(more.as_object().unwrap().clone());
+            json!({ "alignment": law })
+        };
+        world["laws"].as_array_mut().unwrap().extend([
+            alignment(json!({ "summation": "direct" })),
+            alignment(json!({ "summation": { "fast": { "relative_error": 1e-4 } } })),
+            alignment(json!({ "masking": { "radius": 0.3 } })),
+        ]);
+        let obstacles = world["obstacles"].as_array_mut().unwrap();
+        obstacles.extend((0..40).map(|k| {
+            let mut position = vec![-5.0; dimension];
+            position[1] = f64::from(k);
+            json!({
+                "shape": { "ball": { "radius": 0.3 } }, "position": position,
+                "motion": { "oscillation": { "amplitude": vec![2.0; dimension], "period": 1 } }
+            })
+        }));
+        same_bytes(&world, "--until 0.1");
+    }
+}
+
 /// Positions and velocities after 50 steps, to six decimals, and the contacts until then.
 /// Not the bytes of the trace: the last bit of an exponential differs between processors,
 /// for the C library picks other instructions on each.

@@ -104,8 +104,8 @@ impl<const D: usize> Region<D> {
         let mut met = [0; 8];
         for k in 0..8 {
             let (mut along, mut squared) = (0.0, 0.0);
-            for axis in 0..D {
-                let offset = points[axis][k] - self.start[axis];
+            for (axis, column) in points.iter().enumerate() {
+                let offset = column[k] - self.start[axis];
                 along += offset * self.axis[axis];
                 squared += offset * offset;
             }
