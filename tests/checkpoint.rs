@@ -193,6 +193,41 @@ fn brawls_go_on_bit_for_bit() {
     }
 }
 
+/// Lists of neighbours, trees of obstacles and clusters of agents are made anew after a
+/// checkpoint, where the run had older ones.
+#[test]
+fn sums_over_all_pairs_among_many_obstacles_go_on_bit_for_bit() {
+    for dimension in [2, 3] {
+        let mut world = serde_json::to_value(brawl(dimension, 0.0, 1)).unwrap();
+        world["time"]["end"] = json!(0.3);
+        world["agents"][0]["count"] = json!(80);
+        world["agents"][0]["positions"]["box"]["max"] = json!(vec![8.0; dimension]);
+        let kernel = json!({ "cucker_smale": { "strength": 1, "exponent": 0.5 } });
+        world["laws"].as_array_mut().unwrap().extend([
+            json!({ "alignment": { "kernel": kernel, "summation": "direct" } }),
+            json!({ "alignment": { "kernel": kernel, "summation": { "fast": {} } } }),
+            json!({ "alignment": { "kernel": kernel, "masking": { "radius": 0.3 } } }),
+            json!({ "alignment": {
+                "kernel": kernel, "masking": { "radius": 0.3 }, "range": 2, "line_of_sight": {}
+            } }),
+        ]);
+        let obstacles = world["obstacles"].as_array_mut().unwrap();
+        obstacles.extend((0..40).map(|k| {
+            let mut position = vec![20.0; dimension];
+            (position[0], position[1]) = (-8.0, 1.5 * f64::from(k));
+            json!({
+                "shape": { "ball": { "radius": 0.3 } }, "position": position,
+                "motion": { "oscillation": { "amplitude": vec![1.0; dimension], "period": 1 } }
+            })
+        }));
+        let spec = common::spec(world);
+        match dimension {
+            2 => goes_on_as_if_never_stopped::<2>(&spec, &[1, 17], Vec::new),
+            _ => goes_on_as_if_never_stopped::<3>(&spec, &[1, 17], Vec::new),
+        };
+    }
+}
+
 #[test]
 fn worlds_with_all_there_is_go_on_bit_for_bit() {
     let cuts = [0, 1, 77, 198];
