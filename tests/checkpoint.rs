@@ -202,14 +202,22 @@ fn sums_over_all_pairs_among_many_obstacles_go_on_bit_for_bit() {
         world["time"]["end"] = json!(0.3);
         world["agents"][0]["count"] = json!(80);
         world["agents"][0]["positions"]["box"]["max"] = json!(vec![8.0; dimension]);
-        let kernel = json!({ "cucker_smale": { "strength": 1, "exponent": 0.5 } });
+        let alignment = |more: serde_json::Value| {
+            let mut law = json!({
+                "kernel": { "cucker_smale": { "strength": 1, "exponent": 0.5 } },
+                // So slow that it is summed, not relaxed.
+                "normalisation": "mean_field"
+            });
+            let more = more.as_object().unwrap().clone();
+            law.as_object_mut().unwrap().extend(more);
+            json!({ "alignment": law })
+        };
+        let sight = json!({ "agents": 0.5, "obstacles": 0 });
         world["laws"].as_array_mut().unwrap().extend([
-            json!({ "alignment": { "kernel": kernel, "summation": "direct" } }),
-            json!({ "alignment": { "kernel": kernel, "summation": { "fast": {} } } }),
-            json!({ "alignment": { "kernel": kernel, "masking": { "radius": 0.3 } } }),
-            json!({ "alignment": {
-                "kernel": kernel, "masking": { "radius": 0.3 }, "range": 2, "line_of_sight": {}
-            } }),
+            alignment(json!({ "summation": "direct" })),
+            alignment(json!({ "summation": { "fast": {} } })),
+            alignment(json!({ "masking": { "radius": 0.3 } })),
+            alignment(json!({ "masking": { "radius": 0.3 }, "range": 2, "line_of_sight": sight })),
         ]);
         let obstacles = world["obstacles"].as_array_mut().unwrap();
         obstacles.extend((0..40).map(|k| {
