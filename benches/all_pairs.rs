@@ -3,15 +3,16 @@
 //! `cargo bench --bench all_pairs` prints tables. All ways to sum are timed in turns within
 //! one run, and ratios are medians of the rounds' ratios.
 
-use std::hint::black_box;
-use std::time::Instant;
+mod common;
 
+use std::hint::black_box;
+
+use common::{median, pool, ratio, seconds};
 use serde_json::json;
 use volary::law::{Flock, State, build};
-use volary::math::{Influence, Radial, Vector, WithRadial};
+use volary::math::{Influence, Vector};
 use volary::shape::{Geometry, In};
-use volary::sum::{Cloud, Point, Sums, mutual};
-use volary::world::World;
+use volary::sum::{Cloud, Point, direct};
 
 /// Rounds in which all ways take their turns.
 const ROUNDS: usize = 9;
@@ -70,31 +71,9 @@ impl<const D: usize> Agents<D> {
     }
 }
 
-/// Times the bare sums: nanoseconds for each ordered pair.
-struct Bare<'a, const D: usize>(&'a Cloud<D>, &'a mut Vec<Sums<D>>);
-
-impl<const D: usize> WithRadial for Bare<'_, D> {
-    type Output = f64;
-
-    fn with<K: Radial>(self, radial: K) -> f64 {
-        for_each_pair(self.0.count(), || mutual(radial, self.0, self.1))
-    }
-}
-
+/// Nanoseconds for each ordered pair.
 fn for_each_pair(count: usize, work: impl FnOnce()) -> f64 {
-    let begin = Instant::now();
-    work();
-    begin.elapsed().as_secs_f64() * 1e9 / (count * count) as f64
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-/// The median of the ratios of each round's times.
-fn ratio(over: &[f64], under: &[f64]) -> f64 {
-    median(over.iter().zip(under).map(|(a, b)| a / b).collect())
+    seconds(work) * 1e9 / (count * count) as f64
 }
 
 /// A flock of one law, Motsch and Tadmor's with this exponent.
@@ -114,9 +93,7 @@ where
             "summation": "direct"
         } }]
     });
-    let spec = serde_json::from_value(spec).expect("the world is well formed");
-    let world = World::<D>::new("benchmark", spec).expect("the world is sound");
-    Flock::new(build(&world))
+    Flock::new(build(&common::world::<D>(spec)))
 }
 
 /// Times the law through the flock: nanoseconds for each ordered pair.
@@ -137,11 +114,6 @@ fn law<const D: usize>(flock: &mut Flock<D>, agents: &Agents<D>) -> f64 {
     for_each_pair(count, || flock.accelerations(&state, &mut out))
 }
 
-fn pool(threads: usize) -> rayon::ThreadPool {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.expect("threads can be made")
-}
-
 fn compare<const D: usize>(count: usize, exponent: f64)
 where
     In<D>: Geometry<D>,
@@ -155,6 +127,7 @@ where
     let few = Agents::<D>::new(PLAIN);
     let cloud = agents.cloud();
     let mut flock = flock(count, exponent);
+    let direct = direct(&kernel).expect("the kernel is known");
     let mut sums = Vec::new();
     let pools = [pool(1), pool(2)];
     let mut times: [Vec<f64>; 4] = Default::default();
@@ -162,10 +135,10 @@ where
         let plain = for_each_pair(PLAIN, || {
             black_box(few.plain(&kernel));
         });
-        let bare = pools[0].install(|| kernel.with_radial(Bare(&cloud, &mut sums)));
+        let bare = pools[0].install(|| for_each_pair(count, || direct.mutual(&cloud, &mut sums)));
         let by_threads = [0, 1].map(|k: usize| pools[k].install(|| law(&mut flock, &agents)));
         times[0].push(plain);
-        times[1].push(bare.expect("the kernel is known"));
+        times[1].push(bare);
         times[2].push(by_threads[0]);
         times[3].push(by_threads[1]);
     }

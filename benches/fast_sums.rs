@@ -4,13 +4,14 @@
 //! turns within one run, and the ratio is the median of the rounds' ratios. Errors are those of
 //! some sums against plain loops, as the documentation of `volary::sum::fast` measures them.
 
-use std::time::Instant;
+mod common;
 
+use common::{median, pool, ratio, seconds};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
-use volary::math::{Influence, Potential, Radial, Vector, WithRadial};
+use volary::math::{Influence, Potential, Vector};
 use volary::sum::fast::{FastSums, Kernel};
-use volary::sum::{Cloud, Point, Sums, mutual};
+use volary::sum::{Cloud, Point, Sums, direct};
 
 /// Rounds in turns.
 const ROUNDS: usize = 3;
@@ -28,36 +29,6 @@ fn flock<const D: usize>(count: usize, side: f64) -> [Vec<Vector<D>>; 2] {
             .collect()
     };
     [vectors(side), vectors(1.0)]
-}
-
-struct Direct<'a, const D: usize>(&'a Cloud<D>, &'a mut Vec<Sums<D>>);
-
-impl<const D: usize> WithRadial for Direct<'_, D> {
-    type Output = ();
-
-    fn with<K: Radial>(self, radial: K) {
-        mutual(radial, self.0, self.1);
-    }
-}
-
-fn direct<const D: usize>(kernel: &Kernel, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>) {
-    let direct = Direct(cloud, sums);
-    match kernel {
-        Kernel::Influence(influence) => influence.with_radial(direct),
-        Kernel::Force(potential) => potential.with_radial(direct),
-    }
-    .expect("a known kernel");
-}
-
-fn seconds(work: impl FnOnce()) -> f64 {
-    let begin = Instant::now();
-    work();
-    begin.elapsed().as_secs_f64()
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 /// Prints a row of times, and returns that of the fast sums.
@@ -80,15 +51,19 @@ fn compare<const D: usize>(name: &str, kernel: &Kernel, count: usize, side: f64)
     }));
     let scale = (count as f64 / part as f64).powi(2);
     let (mut slow, mut quick) = (Vec::new(), Vec::new());
+    let direct = match kernel {
+        Kernel::Influence(influence) => direct(influence),
+        Kernel::Force(potential) => direct(potential),
+    };
+    let direct = direct.expect("a known kernel");
     for _ in 0..ROUNDS {
-        slow.push(scale * seconds(|| direct(kernel, &cloud, &mut sums)));
+        slow.push(scale * seconds(|| direct.mutual(&cloud, &mut sums)));
         quick.push(seconds(|| {
             fast.run(&positions, carried, &mut sums);
         }));
     }
-    let ratios = slow.iter().zip(&quick).map(|(slow, quick)| slow / quick);
-    let (ratio, quick) = (median(ratios.collect()), median(quick));
-    let slow = median(slow);
+    let ratio = ratio(&slow, &quick);
+    let (slow, quick) = (median(slow), median(quick));
     let error = error(kernel, &positions, carried, &sums);
     println!(
         "| {name} | {D} | {count} | {side:.0} | {slow:.3} | {quick:.3} | {ratio:.1} | {error:.0e} |"
@@ -150,11 +125,6 @@ fn head(threads: usize) {
     println!("|---|---|---|---|---|---|---|---|");
 }
 
-fn on(threads: usize, work: impl FnOnce() + Send) {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    pool.build().expect("threads can be made").install(work);
-}
-
 fn main() {
     let influence = Kernel::Influence(Influence::CuckerSmale {
         strength: 1.0,
@@ -165,7 +135,7 @@ fn main() {
         height: 1.0,
         decay: 1.0,
     });
-    on(1, || {
+    pool(1).install(|| {
         head(1);
         // A length of the kernel apart, so that the box grows.
         series::<2>("Cucker-Smale", &influence, |count| (count as f64).sqrt());
@@ -186,7 +156,7 @@ fn main() {
         }
         println!();
     });
-    on(2, || {
+    pool(2).install(|| {
         head(2);
         compare::<2>("Cucker-Smale", &influence, 100_000, 100_000f64.sqrt());
         compare::<3>("Cucker-Smale", &influence, 100_000, 100_000f64.cbrt());

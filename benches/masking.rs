@@ -3,8 +3,9 @@
 //! `cargo bench --bench masking` prints a table. Both give the accelerations of the same state,
 //! in turns within one run, and must agree. The triple loop runs on one thread.
 
-use std::time::Instant;
+mod common;
 
+use common::{median, pool, ratio, seconds, timed};
 use serde_json::json;
 use volary::law::{Field, Flock};
 use volary::math::Vector;
@@ -41,8 +42,7 @@ where
             "masking": { "radius": RADIUS, "onset": ONSET, "strength": STRENGTH }
         } }]
     });
-    let spec = serde_json::from_value(spec).expect("the world is well formed");
-    World::new("benchmark", spec).expect("the world is sound")
+    common::world(spec)
 }
 
 /// The accelerations as the formulas say: for each pair, all third agents.
@@ -70,17 +70,6 @@ fn triple_loop<const D: usize>(x: &[Vector<D>], v: &[Vector<D>]) -> Vec<Vector<D
     (0..x.len()).map(row).collect()
 }
 
-fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
-    let begin = Instant::now();
-    let done = work();
-    (done, begin.elapsed().as_secs_f64())
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
 fn compare<const D: usize>(agents: usize)
 where
     In<D>: Geometry<D>,
@@ -94,7 +83,7 @@ where
         let (flock, state): (&mut Flock<D>, _) = field.at(0.0, x, v);
         // The first is not warm yet.
         flock.accelerations(&state, &mut out);
-        pruned.push(timed(|| flock.accelerations(&state, &mut out)).1);
+        pruned.push(seconds(|| flock.accelerations(&state, &mut out)));
         let (all, seconds) = timed(|| triple_loop(x, v));
         plain.push(seconds);
         let most = all.iter().map(Vector::norm).fold(0.0, f64::max);
@@ -102,19 +91,14 @@ where
         off = differences.fold(off, f64::max);
     }
     assert!(off < 1e-9, "they differ by {off}");
-    let ratios = plain
-        .iter()
-        .zip(&pruned)
-        .map(|(plain, pruned)| plain / pruned);
-    let ratio = median(ratios.collect());
+    let ratio = ratio(&plain, &pruned);
     let (plain, pruned) = (median(plain), 1e3 * median(pruned));
     println!("| {D} | {agents} | {plain:.2} | {pruned:.2} | {ratio:.0} | {off:.1e} |");
 }
 
 fn main() {
     for threads in [1, 2] {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.expect("threads can be made").install(|| {
+        pool(threads).install(|| {
             println!("\n{threads} thread(s), medians of {ROUNDS} rounds\n");
             println!("| dimension | agents | triple loop, s | pruned, ms | ratio | difference |");
             println!("|---|---|---|---|---|---|");

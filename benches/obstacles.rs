@@ -3,9 +3,11 @@
 //! `cargo bench --bench obstacles` prints a table. Both take turns within one run, and must find
 //! the same.
 
-use std::hint::black_box;
-use std::time::Instant;
+mod common;
 
+use std::hint::black_box;
+
+use common::{median, ratio};
 use serde_json::json;
 use volary::math::Vector;
 use volary::sense::Surroundings;
@@ -57,20 +59,13 @@ where
         }],
         "obstacles": obstacles
     });
-    let spec = serde_json::from_value(spec).expect("the world is well formed");
-    World::new("benchmark", spec).expect("the world is sound")
+    common::world(spec)
 }
 
-/// µs for each agent, and a number that tells whether the same was found.
+/// A number that tells whether the same was found, and µs for each agent.
 fn timed(work: impl FnOnce() -> f64) -> (f64, f64) {
-    let begin = Instant::now();
-    let found = black_box(work());
-    (begin.elapsed().as_secs_f64() / AGENTS as f64 * 1e6, found)
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    let (found, seconds) = common::timed(|| black_box(work()));
+    (found, seconds / AGENTS as f64 * 1e6)
 }
 
 fn compare<const D: usize>(count: usize)
@@ -120,17 +115,13 @@ where
             timed(all_lines),
             timed(lines),
         ];
-        assert!((taken[0].1 - taken[1].1).abs() <= 1e-9 * taken[0].1.abs());
-        assert_eq!(taken[2].1, taken[3].1, "they find different things");
-        for (times, (micro, _)) in times.iter_mut().zip(taken) {
+        assert!((taken[0].0 - taken[1].0).abs() <= 1e-9 * taken[0].0.abs());
+        assert_eq!(taken[2].0, taken[3].0, "they find different things");
+        for (times, (_, micro)) in times.iter_mut().zip(taken) {
             times.push(micro);
         }
     }
-    let ratio = |before: usize, after: usize| {
-        let pairs = times[before].iter().zip(&times[after]);
-        median(pairs.map(|(before, after)| before / after).collect())
-    };
-    let ratios = [ratio(0, 1), ratio(2, 3)];
+    let ratios = [ratio(&times[0], &times[1]), ratio(&times[2], &times[3])];
     let [a, b, c, d] = times.map(median);
     println!(
         "| {D} | {count} | {a:.3} | {b:.3} | {:.1} | {c:.3} | {d:.3} | {:.1} |",

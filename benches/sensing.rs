@@ -3,8 +3,9 @@
 //! `cargo bench --bench sensing` prints a table. All are timed in turns within one run, and
 //! the ratio is the median of the rounds' ratios.
 
-use std::time::Instant;
+mod common;
 
+use common::{median, pool, ratio, seconds};
 use serde_json::{Value, json};
 use volary::dynamics::{Bodies, Engine};
 use volary::law::Flock;
@@ -52,13 +53,7 @@ where
         "obstacles": obstacles,
         "laws": laws
     });
-    let spec = serde_json::from_value(spec).expect("the world is well formed");
-    World::new("benchmark", spec).expect("the world is sound")
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    common::world(spec)
 }
 
 fn compare<const D: usize>()
@@ -120,14 +115,13 @@ where
     let mut times = vec![Vec::new(); runs.len()];
     for _ in 0..ROUNDS {
         for ((flock, bodies), times) in runs.iter_mut().zip(&mut times) {
-            let begin = Instant::now();
-            (0..steps).for_each(|_| bodies.step(flock).expect("a finite state"));
-            times.push(begin.elapsed().as_secs_f64());
+            times.push(seconds(|| {
+                (0..steps).for_each(|_| bodies.step(flock).expect("a finite state"));
+            }));
         }
     }
     for ((name, ..), of_one) in senses.iter().zip(&times) {
-        let ratios = of_one.iter().zip(&times[0]).map(|(one, plain)| one / plain);
-        let ratio = median(ratios.collect());
+        let ratio = ratio(of_one, &times[0]);
         let micro = median(of_one.clone()) / (steps * AGENTS) as f64 * 1e6;
         println!("| {D} | {name} | {micro:.3} | {ratio:.2} |");
     }
@@ -137,8 +131,7 @@ fn main() {
     println!("one thread; µs per agent and whole step, medians of {ROUNDS} rounds\n");
     println!("| dimension | sensing | whole step | over plain |");
     println!("|---|---|---|---|");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    pool.expect("a thread can be made").install(|| {
+    pool(1).install(|| {
         compare::<2>();
         compare::<3>();
     });

@@ -6,9 +6,9 @@
 //! run, and ratios are the medians of the rounds' ratios: absolute times drift from machine to
 //! machine and from minute to minute, ratios much less.
 
-use std::time::Instant;
+mod common;
 
-use rayon::ThreadPool;
+use common::{median, pool, ratio, seconds};
 use serde_json::json;
 use volary::dynamics::{Bodies, Drive, Engine};
 use volary::law::{Flock, build};
@@ -61,24 +61,7 @@ where
             { "navigation": { "velocity": velocity, "velocity_gain": 2 } }
         ]
     });
-    let spec = serde_json::from_value(spec).expect("the world is well formed");
-    World::new("benchmark", spec).expect("the world is sound")
-}
-
-fn seconds(work: impl FnOnce()) -> f64 {
-    let begin = Instant::now();
-    work();
-    begin.elapsed().as_secs_f64()
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-fn pool(threads: usize) -> ThreadPool {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.expect("threads can be made")
+    common::world(spec)
 }
 
 /// Rounds for so many agents, and the steps of each.
@@ -127,7 +110,7 @@ where
             (0..steps).for_each(|_| flock.accelerations(&bodies.state(), &mut out));
         }));
     }
-    let ratio = median(ratios(&whole, &bare));
+    let ratio = ratio(&whole, &bare);
     let micro = |times: Vec<f64>| median(times) / (steps * agents) as f64 * 1e6;
     let whole = micro(whole);
     println!(
@@ -136,10 +119,6 @@ where
         micro(laws),
     );
     whole
-}
-
-fn ratios(of: &[f64], to: &[f64]) -> Vec<f64> {
-    of.iter().zip(to).map(|(of, to)| of / to).collect()
 }
 
 /// Prints what the laws of a dense flock cost in flight, on one thread and on two. The flock
@@ -163,7 +142,7 @@ where
             times.push(pool.install(|| seconds(five)) / 5.0);
         }
     }
-    let scaling = median(ratios(&times[0], &times[1]));
+    let scaling = ratio(&times[0], &times[1]);
     let [one, two] = times.map(|times| median(times) / agents as f64 * 1e6);
     println!("| {D} | {neighbours:.1} | {one:.3} | {two:.3} | {scaling:.2} |");
 }

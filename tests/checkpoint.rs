@@ -197,43 +197,8 @@ fn brawls_go_on_bit_for_bit() {
 /// checkpoint, where the run had older ones.
 #[test]
 fn sums_over_all_pairs_among_many_obstacles_go_on_bit_for_bit() {
-    for dimension in [2, 3] {
-        let mut world = serde_json::to_value(brawl(dimension, 0.0, 1)).unwrap();
-        world["time"]["end"] = json!(0.3);
-        world["agents"][0]["count"] = json!(80);
-        world["agents"][0]["positions"]["box"]["max"] = json!(vec![8.0; dimension]);
-        let alignment = |more: serde_json::Value| {
-            let mut law = json!({
-                "kernel": { "cucker_smale": { "strength": 1, "exponent": 0.5 } },
-                // So slow that it is summed, not relaxed.
-                "normalisation": "mean_field"
-            });
-            let more = more.as_object().unwrap().clone();
-            law.as_object_mut().unwrap().extend(more);
-            json!({ "alignment": law })
-        };
-        let sight = json!({ "agents": 0.5, "obstacles": 0 });
-        world["laws"].as_array_mut().unwrap().extend([
-            alignment(json!({ "summation": "direct" })),
-            alignment(json!({ "summation": { "fast": {} } })),
-            alignment(json!({ "masking": { "radius": 0.3 } })),
-            alignment(json!({ "masking": { "radius": 0.3 }, "range": 2, "line_of_sight": sight })),
-        ]);
-        let obstacles = world["obstacles"].as_array_mut().unwrap();
-        obstacles.extend((0..40).map(|k| {
-            let mut position = vec![20.0; dimension];
-            (position[0], position[1]) = (-8.0, 1.5 * f64::from(k));
-            json!({
-                "shape": { "ball": { "radius": 0.3 } }, "position": position,
-                "motion": { "oscillation": { "amplitude": vec![1.0; dimension], "period": 1 } }
-            })
-        }));
-        let spec = common::spec(world);
-        match dimension {
-            2 => goes_on_as_if_never_stopped::<2>(&spec, &[1, 17], Vec::new),
-            _ => goes_on_as_if_never_stopped::<3>(&spec, &[1, 17], Vec::new),
-        };
-    }
+    goes_on_as_if_never_stopped::<2>(&common::multitude(2), &[1, 17], Vec::new);
+    goes_on_as_if_never_stopped::<3>(&common::multitude(3), &[1, 17], Vec::new);
 }
 
 #[test]

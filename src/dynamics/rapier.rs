@@ -1,21 +1,24 @@
 //! The adapter to rapier, compiled once for each dimension (see `dynamics::plane` and
 //! `dynamics::space`, which say what `rapier`, `geometry` and `D` are).
 
+#[path = "rapier/contacts.rs"]
+mod contacts;
+
 use rayon::prelude::*;
 
-use super::rapier::geometry::ContactPair;
 use super::rapier::math::{Pose as RapierPose, Vector as RapierVector};
 use super::rapier::prelude::{
-    ActiveHooks, ColliderBuilder, ColliderHandle, ContactModificationContext,
-    IntegrationParameters, PhysicsHooks, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
+    ActiveHooks, ColliderBuilder, IntegrationParameters, PhysicsWorld, RigidBodyBuilder,
+    RigidBodyHandle,
 };
 use super::{D, angular, geometry, matrix, rotation, spin, weight, without_gyration};
-use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Touched, Unusable};
+use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Unusable};
 use crate::math::{Matrix, Vector};
 use crate::parallel::{CHUNK, for_each};
 use crate::shape::{In, Obstacle, Pose};
 use crate::world::World;
 use crate::world::spec::HeadingSpec;
+use contacts::Surfaces;
 
 /// Highest speed the engine lets a body have, so high that it never shows.
 const NO_SPEED_CAP: f64 = 1e150;
@@ -108,32 +111,6 @@ struct Rapier {
     foresight: f64,
     /// Whether the agents are known to the engine and not looked at again; see `settle`.
     settled: bool,
-}
-
-/// Restitution and friction of each obstacle, where its own count.
-struct Surfaces {
-    agents: usize,
-    own: Vec<(Option<f64>, Option<f64>)>,
-}
-
-impl PhysicsHooks for Surfaces {
-    fn modify_solver_contacts(&self, context: &mut ContactModificationContext<'_>) {
-        let owner = [context.collider1, context.collider2]
-            .map(|collider| context.colliders[collider].user_data as usize)
-            .into_iter()
-            .find_map(|index| index.checked_sub(self.agents));
-        let Some((restitution, friction)) = owner.and_then(|index| self.own.get(index)) else {
-            return;
-        };
-        if let Some(contact) = context.rigid_mut() {
-            if let Some(restitution) = restitution {
-                *contact.restitution = *restitution;
-            }
-            if let Some(friction) = friction {
-                *contact.friction = *friction;
-            }
-        }
-    }
 }
 
 /// How far a turning obstacle's surface can move in a step beyond what its own velocity
@@ -274,12 +251,6 @@ impl Rapier {
         }
     }
 
-    /// The contacts of the pass just taken.
-    fn found(&self) -> impl Iterator<Item = Touch<D>> + '_ {
-        let pairs = self.world.narrow_phase.contact_pairs();
-        pairs.filter_map(|pair| self.touch(pair))
-    }
-
     /// Has contacts foreseen as far as obstacles and bodies that are not round can swing their
     /// ends in a step: what the engine does by itself looks along the travel of their centres
     /// alone.
@@ -293,61 +264,6 @@ impl Rapier {
         // Two may swing towards each other.
         parameters.normalized_prediction_distance =
             self.foresight.max(2.0 * widest / parameters.length_unit);
-    }
-
-    /// What a collider belongs to, by its user data: the agents count first, then the
-    /// obstacles.
-    fn owner(&self, collider: ColliderHandle) -> Touched {
-        let index = self.world.colliders[collider].user_data as usize;
-        match index.checked_sub(self.bodies.len()) {
-            None => Touched::Agent(index),
-            Some(obstacle) => Touched::Obstacle(obstacle),
-        }
-    }
-
-    fn touch(&self, pair: &ContactPair) -> Option<Touch<D>> {
-        let mut gap = f64::INFINITY;
-        let mut impulse = 0.0;
-        let mut normal = RapierVector::ZERO;
-        let mut places = [RapierVector::ZERO; 2];
-        for manifold in pair.manifolds() {
-            for point in &manifold.points {
-                impulse += point.data.impulse;
-                if point.dist < gap {
-                    gap = point.dist;
-                    normal = manifold.data.normal;
-                    places = [point.local_p1, point.local_p2];
-                }
-            }
-        }
-        // The engine calls a pair in contact from a gap of 2% of a length unit on.
-        if impulse <= 0.0 && gap > 0.0 {
-            return None;
-        }
-        let (first, second) = (self.owner(pair.collider1), self.owner(pair.collider2));
-        let place = |collider: ColliderHandle, k: usize| {
-            let collider = &self.world.colliders[collider];
-            collider.position().transform_point(places[k])
-        };
-        let on_first = || (first, -normal, place(pair.collider1, 0));
-        let on_second = || (second, normal, place(pair.collider2, 1));
-        let (agent, (touched, normal, point)) = match (first, second) {
-            (Touched::Agent(a), Touched::Agent(b)) if b < a => (b, on_first()),
-            (Touched::Agent(a), _) => (a, on_second()),
-            (Touched::Obstacle(_), Touched::Agent(b)) => (b, on_first()),
-            (Touched::Obstacle(_), Touched::Obstacle(_)) => return None,
-        };
-        Some(Touch {
-            agent,
-            touched,
-            gap,
-            impulse,
-            approach_speed: 0.0,
-            push_speed: 0.0,
-            normal: normal.to_array().into(),
-            point: point.to_array().into(),
-            position: Vector::zeros(),
-        })
     }
 }
 

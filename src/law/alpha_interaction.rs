@@ -127,8 +127,8 @@ impl AlphaInteraction {
 }
 
 /// Agents and pairs that are worked out together, at most.
-const AGENTS: usize = 32;
-const PAIRS: usize = 256;
+const AGENTS: usize = 16;
+const PAIRS: usize = 128;
 
 /// Pairs in the widest registers.
 const LANES: usize = 8;

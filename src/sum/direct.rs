@@ -1,5 +1,7 @@
 //! Sums over all pairs, one by one.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::math::{Radial, vectorized};
@@ -29,77 +31,107 @@ pub fn at<K: Radial, const D: usize>(
     sums
 }
 
+/// Parts of a cloud, at most, that meet each other as wholes: enough to keep a dozen threads at
+/// work, and few enough that what each part is told by each other one takes little memory.
+const PARTS: usize = 16;
+
 /// The sums at all points of a cloud, in their order. Each pair counts once, for both: what
 /// one of them gets, the other gets to the bit with the sign of c_j − c_i turned.
 ///
-/// Pairs of blocks are worked on in rounds, in each of which no block has two: so threads
-/// share them without a lock, and each point's sum has one order, however many they are.
+/// All pairs of parts are worked on at once, each by one thread and each with sums of its own,
+/// which are added up afterwards: so no thread waits for another, and each point's sum has one
+/// order, however many they are.
 pub fn mutual<K: Radial, const D: usize>(radial: K, cloud: &Cloud<D>, sums: &mut Vec<Sums<D>>) {
-    let blocks = cloud.blocks();
-    let mut tallies = vec![Tally::ZERO; blocks.len()];
-    for round in 0..blocks.len() {
-        // Blocks whose indices add up to the round, modulo their number: those up to it, and
-        // those beyond.
-        let (low, high) = tallies.split_at_mut(round + 1);
-        let mut meetings = pairs(0, low);
-        meetings.extend(pairs(round + 1, high));
-        let meet = |meeting: Meeting<'_, D>| meet(radial, cloud, meeting);
-        if blocks.len() > 2 {
-            meetings.into_par_iter().for_each(meet);
-        } else {
-            meetings.into_iter().for_each(meet);
+    let blocks = cloud.blocks().len();
+    let parts = blocks.min(PARTS);
+    let part = |k: usize| blocks * k / parts..blocks * (k + 1) / parts;
+    let pairs = (0..parts).flat_map(|other| (0..=other).map(move |one| [one, other]));
+    let meet = |pair: [usize; 2]| meet(radial, cloud, pair.map(part));
+    let told: Vec<_> = match blocks > 2 {
+        true => {
+            let pairs: Vec<_> = pairs.collect();
+            pairs.into_par_iter().with_max_len(1).map(meet).collect()
         }
-    }
-    sums.clear();
-    sums.extend((0..cloud.count()).map(|k| tallies[k / BLOCK].at(k % BLOCK, radial.scale())));
-}
-
-/// One block, or two, with their indices.
-struct Meeting<'a, const D: usize> {
-    one: (usize, &'a mut Tally<D>),
-    other: Option<(usize, &'a mut Tally<D>)>,
-}
-
-/// Pairs the first of some blocks with the last, the second with the last but one, and so on.
-fn pairs<const D: usize>(first: usize, tallies: &mut [Tally<D>]) -> Vec<Meeting<'_, D>> {
-    let mut left = tallies.iter_mut().enumerate();
-    let mut meetings = Vec::with_capacity(left.len().div_ceil(2));
-    let numbered = |(k, tally)| (first + k, tally);
-    while let Some(one) = left.next() {
-        meetings.push(Meeting {
-            one: numbered(one),
-            other: left.next_back().map(numbered),
-        });
-    }
-    meetings
-}
-
-/// All pairs of a meeting.
-fn meet<K: Radial, const D: usize>(radial: K, cloud: &Cloud<D>, meeting: Meeting<'_, D>) {
-    let blocks = cloud.blocks();
-    let gather = |to: usize, from: usize, tally| {
-        vectorized(Gather {
-            radial,
-            targets: &blocks[to],
-            count: BLOCK,
-            sources: &blocks[from..=from],
-            tally,
-        });
+        false => pairs.map(meet).collect(),
     };
-    match (meeting.one, meeting.other) {
-        ((k, mine), None) => gather(k, k, mine),
-        ((k, mine), Some((l, theirs))) if (l + 1) * BLOCK <= cloud.count() => {
-            vectorized(Exchange {
-                radial,
-                blocks: [&blocks[k], &blocks[l]],
-                tallies: [mine, theirs],
-            });
+    sums.clear();
+    for k in 0..parts {
+        let mut tallies = vec![Tally::ZERO; part(k).len()];
+        for other in 0..parts {
+            let [low, high] = [k.min(other), k.max(other)];
+            let told = &told[high * (high + 1) / 2 + low][usize::from(k > other)];
+            let blocks = tallies.iter_mut().zip(told);
+            blocks.for_each(|(tally, more)| tally.add(more));
         }
+        for tally in &tallies {
+            let count = BLOCK.min(cloud.count() - sums.len());
+            sums.extend((0..count).map(|place| tally.at(place, radial.scale())));
+        }
+    }
+}
+
+/// All pairs of two parts, or within one: what the blocks of each are told.
+fn meet<K: Radial, const D: usize>(
+    radial: K,
+    cloud: &Cloud<D>,
+    [one, other]: [Range<usize>; 2],
+) -> [Vec<Tally<D>>; 2] {
+    let mut mine = vec![Tally::ZERO; one.len()];
+    let mut theirs = Vec::new();
+    if one == other {
+        for k in 0..mine.len() {
+            let (before, rest) = mine.split_at_mut(k);
+            gather(radial, cloud, [one.start + k; 2], &mut rest[0]);
+            for (l, tally) in before.iter_mut().enumerate() {
+                let pair = [one.start + l, one.start + k];
+                exchange(radial, cloud, pair, [tally, &mut rest[0]]);
+            }
+        }
+    } else {
+        theirs = vec![Tally::ZERO; other.len()];
+        for (k, mine) in one.zip(&mut mine) {
+            for (l, theirs) in other.clone().zip(&mut theirs) {
+                exchange(radial, cloud, [k, l], [mine, theirs]);
+            }
+        }
+    }
+    [mine, theirs]
+}
+
+/// The pairs of two blocks, the first of which comes first in the cloud.
+fn exchange<K: Radial, const D: usize>(
+    radial: K,
+    cloud: &Cloud<D>,
+    [one, other]: [usize; 2],
+    tallies: [&mut Tally<D>; 2],
+) {
+    if (other + 1) * BLOCK <= cloud.count() {
+        vectorized(Exchange {
+            radial,
+            blocks: [one, other].map(|block| &cloud.blocks()[block]),
+            tallies,
+        });
+    } else {
         // The last block is not full: each for itself. That gives the same to rounding; which
         // way is taken depends on the number of agents alone.
-        ((k, mine), Some((l, theirs))) => {
-            gather(k, l, mine);
-            gather(l, k, theirs);
-        }
+        let [mine, theirs] = tallies;
+        gather(radial, cloud, [one, other], mine);
+        gather(radial, cloud, [other, one], theirs);
     }
+}
+
+/// What the points of one block are told by those of one, be it the same.
+fn gather<K: Radial, const D: usize>(
+    radial: K,
+    cloud: &Cloud<D>,
+    [to, from]: [usize; 2],
+    tally: &mut Tally<D>,
+) {
+    vectorized(Gather {
+        radial,
+        targets: &cloud.blocks()[to],
+        count: BLOCK,
+        sources: &cloud.blocks()[from..=from],
+        tally,
+    });
 }

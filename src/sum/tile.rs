@@ -27,6 +27,19 @@ impl<const D: usize> Tally<D> {
         drive: [[Eight([0.0; 8]); BLOCK / 8]; D],
     };
 
+    /// Adds what the block was told elsewhere.
+    pub fn add(&mut self, more: &Self) {
+        let columns = [&mut self.weight].into_iter().chain(&mut self.drive);
+        let more = [&more.weight].into_iter().chain(&more.drive);
+        let eights = columns.flatten().zip(more.flatten());
+        for (sum, more) in eights {
+            sum.0
+                .iter_mut()
+                .zip(&more.0)
+                .for_each(|(sum, more)| *sum += more);
+        }
+    }
+
     /// Of the point at a place of the block, times a factor.
     pub fn at(&self, place: usize, scale: f64) -> Sums<D> {
         let of = |column: &Column| column[place / 8].0[place % 8] * scale;

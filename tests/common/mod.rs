@@ -29,6 +29,54 @@ where
     World::new("test", spec).expect("the test's world is sound")
 }
 
+/// A crowd that sums over all pairs in every way, among many obstacles that move.
+pub fn multitude(dimension: usize) -> WorldSpec {
+    let alignment = |more: serde_json::Value| {
+        let mut law = serde_json::json!({
+            "kernel": { "cucker_smale": { "strength": 1, "exponent": 0.5 } },
+            // So slow that it is summed, not relaxed.
+            "normalisation": "mean_field"
+        });
+        let more = more.as_object().unwrap().clone();
+        law.as_object_mut().unwrap().extend(more);
+        serde_json::json!({ "alignment": law })
+    };
+    let obstacles: Vec<_> = (0..40)
+        .map(|k| {
+            let mut position = vec![6.0; dimension];
+            (position[0], position[1]) = (-2.0, 1.5 * f64::from(k));
+            serde_json::json!({
+                "shape": { "ball": { "radius": 0.3 } }, "position": position,
+                "motion": { "oscillation": { "amplitude": vec![1.0; dimension], "period": 1 } }
+            })
+        })
+        .collect();
+    let sight = serde_json::json!({ "agents": 0.5, "obstacles": 0 });
+    spec(serde_json::json!({
+        "dimension": dimension,
+        "time": { "step": 0.01, "end": 0.3 },
+        "record": { "every": 0.05, "accelerations": true, "beta_agents": true },
+        "agents": [{
+            "count": 80, "radius": 0.3,
+            "positions": { "box": { "min": vec![0.0; dimension], "max": vec![8.0; dimension] } },
+            "velocities": { "uniform": {
+                "min": vec![-3.0; dimension], "max": vec![2.0; dimension]
+            } }
+        }],
+        "obstacles": obstacles,
+        "laws": [
+            { "alpha_interaction": { "spacing": 0.5, "range": 1.5, "damping": 0.5 } },
+            { "obstacle_avoidance": { "range": 1.5, "standoff": 0.5, "gain": 0.2 } },
+            alignment(serde_json::json!({ "summation": "direct" })),
+            alignment(serde_json::json!({ "summation": { "fast": {} } })),
+            alignment(serde_json::json!({ "masking": { "radius": 0.3 } })),
+            alignment(serde_json::json!({
+                "masking": { "radius": 0.3 }, "range": 2, "line_of_sight": sight
+            }))
+        ]
+    }))
+}
+
 /// A small smooth flock of Olfati-Saber's that meets one obstacle and touches nothing.
 pub fn flock_world(dimension: usize) -> WorldSpec {
     let vector = |x: f64, rest: f64| {
