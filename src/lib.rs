@@ -37,6 +37,7 @@
 //!
 //! - [`profile`]: where the time goes
 //! - [`parallel`]: work shared out over threads
+//! - [`mod@file`]: files that appear whole or not at all
 //! - [`math`]: vectors and the scalar functions that laws are made of
 //! - [`sum`]: sums over all pairs of points, on vector registers
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
@@ -57,6 +58,7 @@
 pub mod checkpoint;
 pub mod claim;
 pub mod dynamics;
+pub mod file;
 pub mod law;
 pub mod math;
 pub mod metric;

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 18] = [
+const LAYERS: [&str; 19] = [
     "profile",
     "parallel",
+    "file",
     "math",
     "sum",
     "shape",

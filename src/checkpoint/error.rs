@@ -1,7 +1,7 @@
 //! What can go wrong with a checkpoint.
 
 use super::envelope::VERSION;
-use crate::trace::TraceError;
+use crate::file::FileError;
 
 /// Why a checkpoint could not be written, read or gone on with. Each message names the
 /// file.
@@ -10,7 +10,7 @@ use crate::trace::TraceError;
 pub enum CheckpointError {
     /// The file could not be created, written, opened or read.
     #[error(transparent)]
-    File(#[from] TraceError),
+    File(#[from] FileError),
     /// The file is something else.
     #[error("{file} is not a checkpoint")]
     NotACheckpoint {

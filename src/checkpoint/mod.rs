@@ -49,10 +49,10 @@ pub use error::CheckpointError;
 pub use recording::Recording;
 
 use crate::dynamics::Engine;
+use crate::file;
 use crate::law::Law;
 use crate::shape::In;
 use crate::simulation::{Simulation, SimulationState};
-use crate::trace::file;
 use crate::world::World;
 use crate::world::spec::WorldSpec;
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use volary::checkpoint::{Checkpoint, CheckpointError};
+use volary::file::FileError;
 use volary::trace::{Format, TraceError, check_summary};
 
 use super::Refusal;
@@ -68,7 +69,7 @@ pub(super) fn apart(files: &[(&str, Option<&Path>)]) -> Result<(), Refusal> {
 /// As [`refuse`], for a checkpoint.
 pub(super) fn refuse_checkpoint(error: CheckpointError) -> Refusal {
     match error {
-        CheckpointError::File(error) => refuse(error),
+        CheckpointError::File(error) => refuse_file(error),
         _ => Refusal::bad_input(error),
     }
 }
@@ -76,7 +77,15 @@ pub(super) fn refuse_checkpoint(error: CheckpointError) -> Refusal {
 /// A file that cannot be written where it was asked for is bad input.
 pub(super) fn refuse(error: TraceError) -> Refusal {
     match error {
-        TraceError::Exists { .. } => Refusal::bad_input(format!("{error}; --force overwrites it")),
+        TraceError::File(error) => refuse_file(error),
+        _ => Refusal::bad_input(error),
+    }
+}
+
+/// As [`refuse`], for any file.
+pub(super) fn refuse_file(error: FileError) -> Refusal {
+    match error {
+        FileError::Exists { .. } => Refusal::bad_input(format!("{error}; --force overwrites it")),
         _ => Refusal::bad_input(error),
     }
 }

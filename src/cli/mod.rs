@@ -116,6 +116,12 @@ fn complain(message: &str, code: u8) -> ExitCode {
     ExitCode::from(code)
 }
 
+/// Says what people should know, beside what they asked for.
+fn note(text: impl Display) {
+    // Nobody is left to tell where standard error is gone.
+    let _ = writeln!(std::io::stderr(), "Note: {text}");
+}
+
 /// Prints to standard output; a reader that has gone away, such as `head`, is no error.
 fn print(text: &str) -> Result<(), Refusal> {
     let mut out = std::io::stdout().lock();

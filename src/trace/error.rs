@@ -4,6 +4,7 @@ use std::io;
 
 use super::format::Format;
 use super::record::{FORMAT, VERSION};
+use crate::file::FileError;
 
 /// Why a trace or a summary could not be written or read. Each message names the
 /// file.
@@ -16,20 +17,9 @@ pub enum TraceError {
         /// The file.
         name: String,
     },
-    /// The file is there already and must not be overwritten.
-    #[error("{name} exists already")]
-    Exists {
-        /// The file.
-        name: String,
-    },
-    /// The path is unfit for a file: a folder, or inside a missing one.
-    #[error("{name}: {problem}")]
-    BadPath {
-        /// The file.
-        name: String,
-        /// What is wrong with the path.
-        problem: String,
-    },
+    /// The file must not be overwritten, or its path is unfit.
+    #[error(transparent)]
+    File(FileError),
     /// The file could not be created, written, opened or read.
     #[error("cannot {action} {name}: {source}")]
     Io {
@@ -101,4 +91,22 @@ pub enum TraceError {
         /// What is wrong with it.
         problem: String,
     },
+}
+
+impl From<FileError> for TraceError {
+    fn from(error: FileError) -> Self {
+        match error {
+            // What the system says comes in one way, whether of a path or of what is inside.
+            FileError::Io {
+                action,
+                name,
+                source,
+            } => Self::Io {
+                action,
+                name,
+                source,
+            },
+            error => Self::File(error),
+        }
+    }
 }

@@ -28,6 +28,21 @@ pub enum Compression {
     Zstd,
 }
 
+impl Compression {
+    /// The compression that a file's name asks for, in any case, and the name in front of its
+    /// ending, in lower case.
+    pub(crate) fn of(path: &Path) -> (String, Self) {
+        let file = path.file_name().unwrap_or_default();
+        let name = file.to_string_lossy().to_lowercase();
+        for (ending, compression) in [(".gz", Self::Gzip), (".zst", Self::Zstd)] {
+            if let Some(stem) = name.strip_suffix(ending) {
+                return (stem.to_owned(), compression);
+            }
+        }
+        (name, Self::None)
+    }
+}
+
 /// Layout and compression of a trace; plain JSON Lines by default.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Format {
@@ -46,15 +61,7 @@ impl Format {
     /// `run.json.gz`, `run.ndjson.zst`. A name with nothing but `.gz` or `.zst`
     /// means JSON Lines.
     pub fn of(path: &Path) -> Result<Self, TraceError> {
-        let file = path.file_name().unwrap_or_default();
-        let name = file.to_string_lossy().to_lowercase();
-        let (stem, compression) = if let Some(stem) = name.strip_suffix(".gz") {
-            (stem, Compression::Gzip)
-        } else if let Some(stem) = name.strip_suffix(".zst") {
-            (stem, Compression::Zstd)
-        } else {
-            (name.as_str(), Compression::None)
-        };
+        let (stem, compression) = Compression::of(path);
         let layout = match stem.rsplit_once('.') {
             Some((_, "jsonl" | "ndjson")) => Layout::Lines,
             Some((_, "json")) => Layout::Array,

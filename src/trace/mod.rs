@@ -51,7 +51,7 @@
 
 mod background;
 mod error;
-pub(crate) mod file;
+mod file;
 mod finite;
 mod format;
 mod reader;
@@ -67,6 +67,7 @@ pub use file::TraceFile;
 pub use format::{Compression, Format, Layout};
 pub use reader::TraceReader;
 pub use record::Record;
+pub(crate) use sink::Sink;
+pub(crate) use summary::write_json;
 pub use summary::{check_summary, write_summary};
-pub(crate) use summary::{write_json, write_text};
 pub use writer::{TracePosition, TraceWriter};

@@ -11,10 +11,11 @@ use serde_json::Value;
 use serde_json::error::Category;
 use zstd::stream::read::Decoder as ZstdDecoder;
 
+use super::TraceError;
 use super::format::Layout;
 use super::record::{FORMAT, Header, Record, VERSION};
 use super::split::{Fault, Piece, Splitter};
-use super::{TraceError, file};
+use crate::file;
 
 /// Reads a trace as a stream: the header when it is opened, then an iterator over
 /// the records behind it.
@@ -40,7 +41,7 @@ impl TraceReader {
     pub fn open(path: &Path) -> Result<Self, TraceError> {
         let file = File::open(path).map_err(|e| file::explain(path, "open", e))?;
         if path.is_dir() {
-            return Err(file::explain(path, "open", ErrorKind::IsADirectory.into()));
+            return Err(file::explain(path, "open", ErrorKind::IsADirectory.into()).into());
         }
         Self::new(file, path.display().to_string())
     }
@@ -73,6 +74,11 @@ impl TraceReader {
             complete: false,
             ended: false,
         })
+    }
+
+    /// What errors call the trace: its path, where it is a file.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// The header.

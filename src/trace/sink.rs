@@ -8,7 +8,7 @@ use zstd::stream::write::Encoder as ZstdEncoder;
 use super::format::Compression;
 
 /// A target, behind a compressor or none.
-pub(super) enum Sink<W: Write> {
+pub(crate) enum Sink<W: Write> {
     Plain(W),
     Gzip(GzEncoder<W>),
     Zstd(ZstdEncoder<'static, W>),
@@ -93,7 +93,7 @@ impl<W: Write> Sink<W> {
 /// A sequence of gzip members or zstd frames, which readers take for one stream. Each
 /// flush ends a member, and each member is compressed as a whole: what it looks like
 /// depends on its text alone, not on what came before or on where the run was stopped.
-pub(super) struct Members<W: Write> {
+pub(crate) struct Members<W: Write> {
     target: W,
     compression: Compression,
     waiting: Vec<u8>,

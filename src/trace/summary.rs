@@ -5,12 +5,13 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::record::Summary;
-use super::{TraceError, file, finite};
+use super::{TraceError, finite};
+use crate::file;
 
 /// Finds out whether a summary could be written to this file now, without changing
 /// what is there: better before a run than after it.
 pub fn check_summary(path: &Path, overwrite: bool) -> Result<(), TraceError> {
-    file::check_whole(path, overwrite)
+    Ok(file::check_whole(path, overwrite)?)
 }
 
 /// Writes a summary to a file of its own, as one JSON object. The file appears
@@ -39,11 +40,5 @@ pub(crate) fn write_json(
         source: e.into(),
     })?;
     text.push(b'\n');
-    file::write_whole(path, &text, overwrite)
-}
-
-/// Writes a text that is no trace to a file of its own, whole or not at all; an existing one is
-/// refused without `overwrite`.
-pub(crate) fn write_text(path: &Path, text: &str, overwrite: bool) -> Result<(), TraceError> {
-    file::write_whole(path, text.as_bytes(), overwrite)
+    Ok(file::write_whole(path, &text, overwrite)?)
 }

@@ -131,7 +131,8 @@ impl<W: Write> TraceWriter<W> {
         Self::named("the trace".to_owned(), target, format)
     }
 
-    fn named(name: String, target: W, format: Format) -> Self {
+    /// As [`TraceWriter::new`], with a name for errors to call the trace by.
+    pub(crate) fn named(name: String, target: W, format: Format) -> Self {
         Self {
             name,
             format,

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::{html, markdown};
-use crate::trace::{TraceError, file, write_json, write_text};
+use crate::file::{FileError, check_whole, write_whole};
+use crate::trace::{TraceError, write_json};
 use crate::validate::report::Report;
 
 /// The form that a file's name asks for.
@@ -15,13 +16,13 @@ enum Form {
 }
 
 impl Form {
-    fn of(path: &Path) -> Result<Self, TraceError> {
+    fn of(path: &Path) -> Result<Self, FileError> {
         let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
         match ending.to_str() {
             Some("json") => Ok(Self::Json),
             Some("md") => Ok(Self::Markdown),
             Some("html") => Ok(Self::Html),
-            _ => Err(TraceError::BadPath {
+            _ => Err(FileError::BadPath {
                 name: path.display().to_string(),
                 problem: "the name of a report ends in .json, .md or .html".to_owned(),
             }),
@@ -37,7 +38,7 @@ impl Form {
 /// As [`write()`].
 pub fn check(path: &Path, overwrite: bool) -> Result<(), TraceError> {
     Form::of(path)?;
-    file::check_whole(path, overwrite)
+    Ok(check_whole(path, overwrite)?)
 }
 
 /// Writes a report to a file of its own, in the form that its name asks for: `.json`, `.md` or
@@ -45,13 +46,14 @@ pub fn check(path: &Path, overwrite: bool) -> Result<(), TraceError> {
 ///
 /// # Errors
 ///
-/// [`TraceError::BadPath`] for another ending; [`TraceError::Exists`] for a file that is there
+/// [`FileError::BadPath`] for another ending; [`FileError::Exists`] for a file that is there
 /// already, without `overwrite`; [`TraceError::NotFinite`] where JSON cannot hold a number of
 /// the report; and what the system says.
 pub fn write(path: &Path, report: &Report, overwrite: bool) -> Result<(), TraceError> {
-    match Form::of(path)? {
-        Form::Json => write_json(path, "the report", report, overwrite),
-        Form::Markdown => write_text(path, &markdown(report), overwrite),
-        Form::Html => write_text(path, &html(report), overwrite),
-    }
+    let text = match Form::of(path)? {
+        Form::Json => return write_json(path, "the report", report, overwrite),
+        Form::Markdown => markdown(report),
+        Form::Html => html(report),
+    };
+    Ok(write_whole(path, text.as_bytes(), overwrite)?)
 }
