@@ -39,6 +39,7 @@
 //! - [`parallel`]: work shared out over threads
 //! - [`mod@file`]: files that appear whole or not at all
 //! - [`math`]: vectors and the scalar functions that laws are made of
+//! - [`picture`]: marks on a page, as SVG or as pixels, and films
 //! - [`sum`]: sums over all pairs of points, on vector registers
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
 //! - [`world`]: the world file, read, checked and resolved
@@ -57,6 +58,7 @@
 
 pub mod checkpoint;
 pub mod claim;
+mod csv;
 pub mod dynamics;
 pub mod file;
 pub mod law;
@@ -64,6 +66,7 @@ pub mod math;
 pub mod metric;
 pub mod net;
 pub mod parallel;
+pub mod picture;
 pub mod profile;
 pub mod reduced;
 pub mod schema;

@@ -3,11 +3,13 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 19] = [
+const LAYERS: [&str; 21] = [
     "profile",
     "parallel",
     "file",
+    "csv",
     "math",
+    "picture",
     "sum",
     "shape",
     "world",
