@@ -40,6 +40,7 @@
 //! - [`mod@file`]: files that appear whole or not at all
 //! - [`math`]: vectors and the scalar functions that laws are made of
 //! - [`picture`]: marks on a page, as SVG or as pixels, and films
+//! - [`plot`]: axes and curves
 //! - [`sum`]: sums over all pairs of points, on vector registers
 //! - [`shape`]: obstacle shapes, closest points and their derivatives
 //! - [`world`]: the world file, read, checked and resolved
@@ -67,6 +68,7 @@ pub mod metric;
 pub mod net;
 pub mod parallel;
 pub mod picture;
+pub mod plot;
 pub mod profile;
 pub mod reduced;
 pub mod schema;

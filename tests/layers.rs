@@ -3,13 +3,14 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 21] = [
+const LAYERS: [&str; 22] = [
     "profile",
     "parallel",
     "file",
     "csv",
     "math",
     "picture",
+    "plot",
     "sum",
     "shape",
     "world",

@@ -175,7 +175,7 @@ fn rule(columns: usize) -> String {
 }
 
 /// Text in which nothing is taken for a mark.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::new();
     for c in text
         .split_whitespace()

@@ -2,7 +2,7 @@
 
 /// Text in which nothing is taken for markup, in attributes as well. Letters that XML has not
 /// got are shown as the sign for what cannot be shown.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

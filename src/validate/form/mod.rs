@@ -10,9 +10,7 @@ mod markdown;
 mod markup;
 mod overview;
 mod plot;
-mod polyline;
 mod reasons;
-mod scale;
 mod silent;
 mod table;
 mod tally;
@@ -21,6 +19,8 @@ mod write;
 
 pub use catalogue::{describe, list};
 pub use html::html;
+pub(crate) use markdown::escape as escape_markdown;
 pub use markdown::markdown;
+pub(crate) use markup::escape as escape_html;
 pub use table::table;
 pub use write::{check, write};

@@ -5,10 +5,9 @@
 use std::fmt::Write;
 
 use super::markup::escape;
-use super::polyline::{coordinates, thin};
-use super::scale::Scale;
 use super::words::{dynamics, number};
 use crate::claim::Side;
+use crate::plot::{Kind, Scale, thin};
 use crate::world::spec::DynamicsName;
 
 /// Size of the picture, and the edges of the plot in it.
@@ -53,7 +52,7 @@ pub(super) struct Line<'a> {
 }
 
 /// Parts of a line without holes, in pixels.
-type Parts = Vec<Vec<(f64, f64)>>;
+type Parts = Vec<Vec<[f64; 2]>>;
 
 impl Line<'_> {
     fn points(&self) -> impl Iterator<Item = (f64, f64)> {
@@ -90,26 +89,26 @@ impl Axes {
         if first >= last {
             return None;
         }
-        // Sizes whose differences are numbers; the least above 0 means "above 0", and is 0 here.
-        let within = |(_, value): (f64, f64)| match value.abs() > f64::MIN_POSITIVE {
-            true => value.clamp(-1e300, 1e300),
-            false => 0.0,
-        };
         let values: Vec<f64> = plot
             .lines
             .iter()
             .flat_map(Line::points)
-            .map(within)
+            .map(|(_, value)| value)
             .collect();
-        let bounds = plot.lines.iter().flat_map(Line::bounds).map(within);
+        let bounds = plot.lines.iter().flat_map(Line::bounds);
+        let bounds = bounds.map(|(_, value)| value);
         let levels: Vec<f64> = bounds.chain(plot.level.map(|(level, _)| level)).collect();
-        let value = Scale::of(&values, &levels, plot.logarithmic, [BOTTOM, TOP])?;
+        let kind = match plot.logarithmic {
+            true => Kind::Logarithmic,
+            false => Kind::Auto,
+        };
+        let value = Scale::of(&values, &levels, kind, [BOTTOM, TOP])?;
         let time = Scale::tight(first, last, [LEFT, RIGHT]);
         Some(Self { time, value })
     }
 
-    fn at(&self, time: f64, value: f64) -> Option<(f64, f64)> {
-        Some((self.time.at(time)?, self.value.at(value)?))
+    fn at(&self, time: f64, value: f64) -> Option<[f64; 2]> {
+        Some([self.time.at(time)?, self.value.at(value)?])
     }
 
     /// A line, parted where it has no value, or none that the axis can show.
@@ -222,7 +221,7 @@ fn forbidden(side: Side, parts: &Parts) -> String {
     for part in parts {
         if let (Some(first), Some(last)) = (part.first(), part.last()) {
             let mut area = thin(part);
-            area.extend([(last.0, edge), (first.0, edge)]);
+            area.extend([[last[0], edge], [first[0], edge]]);
             let points = coordinates(&area);
             let _ = writeln!(out, "<polygon class=\"forbidden\" points=\"{points}\"/>");
         }
@@ -234,7 +233,7 @@ fn polylines(class: &str, parts: &Parts) -> String {
     let mut out = String::new();
     for part in parts {
         let _ = match part.as_slice() {
-            [(x, y)] => writeln!(
+            [[x, y]] => writeln!(
                 out,
                 "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"1\"/>"
             ),
@@ -246,6 +245,12 @@ fn polylines(class: &str, parts: &Parts) -> String {
         };
     }
     out
+}
+
+/// The points in the letters of SVG.
+fn coordinates(points: &[[f64; 2]]) -> String {
+    let points = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}"));
+    points.collect::<Vec<_>>().join(" ")
 }
 
 fn text(class: &str, x: f64, y: f64, text: &str) -> String {
@@ -299,7 +304,7 @@ fn closest(line: &Line, axes: &Axes) -> Option<String> {
     let (time, value) = line
         .points()
         .min_by(|a, b| (a.0 - time).abs().total_cmp(&(b.0 - time).abs()))?;
-    let (x, y) = axes.at(time, value)?;
+    let [x, y] = axes.at(time, value)?;
     let class = dynamics(line.dynamics);
     Some(format!(
         "<circle class=\"closest {class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>\n"

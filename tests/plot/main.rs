@@ -1,0 +1,7 @@
+//! Plots as pictures.
+
+#[path = "../common/image.rs"]
+mod image;
+
+mod golden;
+mod marks;
