@@ -55,12 +55,14 @@
 //! - [`simulation`]: the loop
 //! - [`checkpoint`]: a simulation in a file, to go on with later
 //! - [`validate`]: worlds run as points and as bodies, and their claims judged
+//! - [`export`]: traces as tables and in the formats of other tools
 //! - [`schema`]: JSON Schemas of the file formats
 
 pub mod checkpoint;
 pub mod claim;
 mod csv;
 pub mod dynamics;
+pub mod export;
 pub mod file;
 pub mod law;
 pub mod math;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 22] = [
+const LAYERS: [&str; 23] = [
     "profile",
     "parallel",
     "file",
@@ -25,6 +25,7 @@ const LAYERS: [&str; 22] = [
     "simulation",
     "checkpoint",
     "validate",
+    "export",
     "schema",
 ];
 

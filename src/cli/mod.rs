@@ -5,6 +5,7 @@
 mod check;
 mod claims;
 mod drive;
+mod export;
 mod files;
 mod load;
 mod profile;
@@ -15,6 +16,7 @@ mod run;
 mod schema;
 mod summary;
 mod validate;
+mod values;
 mod worlds;
 
 use std::fmt::Display;
@@ -63,6 +65,8 @@ enum Command {
     Check(check::CheckArguments),
     /// Work out the reduced model of fast flocking
     Reduce(reduce::ReduceArguments),
+    /// Turn a trace into tables, or into the formats of other tools
+    Export(export::ExportArguments),
     /// List the papers' claims, or print some in full
     Claims(claims::ClaimsArguments),
     /// List the shipped worlds, or print one
@@ -98,6 +102,7 @@ pub fn main() -> ExitCode {
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Reduce(arguments) => reduce::reduce(&arguments),
+        Command::Export(arguments) => export::export(&arguments),
         Command::Claims(arguments) => claims::claims(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),

@@ -62,7 +62,7 @@ fn reduce_world<const D: usize>(
     let mut reduced = FastFlocking::new(world).map_err(refuse)?;
     if let Some(path) = &arguments.out {
         let course = reduced.recorded().map_err(refuse)?;
-        write_leading(path, &course, arguments.force).map_err(files::refuse)?;
+        write_leading(path, &course, arguments.force).map_err(files::refuse_file)?;
     }
     print(&match arguments.json {
         true => object(&arguments.world, &reduced),

@@ -12,6 +12,7 @@ use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
 use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
+use super::values::number;
 use super::{Refusal, files, load};
 
 const EXAMPLES: &str = "\
@@ -35,10 +36,10 @@ pub(super) struct RunArguments {
     #[arg(long, value_parser = seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Time to end at, instead of the world's; a whole number of steps
-    #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
+    #[arg(long, value_name = "TIME", value_parser = number, allow_negative_numbers = true)]
     until: Option<f64>,
     /// Step size, instead of the world's
-    #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
+    #[arg(long, value_name = "TIME", value_parser = number, allow_negative_numbers = true)]
     step: Option<f64>,
     /// Set any field of the world, as in laws[0].alpha_interaction.damping=2; may be repeated
     #[arg(long, value_name = "PATH=VALUE")]
@@ -68,7 +69,7 @@ pub(super) struct RunArguments {
     #[arg(
         long,
         value_name = "TIME",
-        value_parser = time,
+        value_parser = number,
         allow_negative_numbers = true,
         requires = "checkpoint"
     )]
@@ -135,13 +136,6 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
             range.start(),
             range.end()
         )),
-    }
-}
-
-fn time(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(time) if time.is_finite() => Ok(time),
-        _ => Err("must be a number, and finite".to_owned()),
     }
 }
 

@@ -1,13 +1,15 @@
 //! The leading order of fast flocking, (4.19).
 
+use std::iter;
 use std::path::Path;
 
 use nalgebra::DMatrix;
 
 use super::coupling::Coupling;
 use super::{FastFlocking, NoReduction, stationary, weighted};
+use crate::csv::{Cell, write_row};
+use crate::file::{FileError, write_whole};
 use crate::math::{DormandPrince, Solution, Vector};
-use crate::trace::{TraceError, write_text};
 use crate::world::World;
 
 /// How exactly the leading order is integrated: the error of a step, over the larger of 1 and
@@ -23,6 +25,20 @@ pub struct Leading<const D: usize> {
     pub velocity: Vector<D>,
     /// The place of each agent: as far from the others as at the start.
     pub positions: Vec<Vector<D>>,
+}
+
+impl<const D: usize> Leading<D> {
+    /// How far a state is from it: max_i |x_i − x_i0| and max_i |v_i − v_i0|, section 5; 0 and 0
+    /// without agents.
+    pub fn errors(&self, positions: &[Vector<D>], velocities: &[Vector<D>]) -> [f64; 2] {
+        let pairs = positions.iter().zip(&self.positions);
+        let positions = pairs.map(|(x, there)| (x - there).norm());
+        let velocities = velocities.iter().map(|v| (v - self.velocity).norm());
+        [
+            positions.fold(0.0, f64::max),
+            velocities.fold(0.0, f64::max),
+        ]
+    }
 }
 
 impl<const D: usize> FastFlocking<'_, D> {
@@ -123,13 +139,13 @@ pub fn write_leading<const D: usize>(
     path: &Path,
     course: &[Leading<D>],
     overwrite: bool,
-) -> Result<(), TraceError> {
+) -> Result<(), FileError> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     let text = match ending.is_some_and(|ending| ending == "csv") {
         true => table(course),
-        false => course.iter().map(line).collect(),
+        false => course.iter().map(line).collect::<String>().into_bytes(),
     };
-    write_text(path, &text, overwrite)
+    write_whole(path, &text, overwrite)
 }
 
 fn line<const D: usize>(leading: &Leading<D>) -> String {
@@ -141,25 +157,19 @@ fn line<const D: usize>(leading: &Leading<D>) -> String {
     format!("{line}\n")
 }
 
-fn table<const D: usize>(course: &[Leading<D>]) -> String {
+fn table<const D: usize>(course: &[Leading<D>]) -> Vec<u8> {
     let axes = &["x", "y", "z"][..D];
     let agents = course.first().map_or(0, |leading| leading.positions.len());
     let mut names = vec!["time".to_owned()];
     names.extend(axes.iter().map(|axis| format!("v{axis}")));
     let places = (0..agents).flat_map(|i| axes.iter().map(move |axis| format!("{axis}{i}")));
     names.extend(places);
-    let mut text = names.join(",") + "\n";
+    let mut text = Vec::new();
+    write_row(&mut text, names.iter().map(|name| name.as_str().into()));
     for leading in course {
-        let vectors = [leading.velocity]
-            .into_iter()
-            .chain(leading.positions.iter().copied());
-        let numbers = vectors.flat_map(|vector| vector.as_slice().to_vec());
-        let row: Vec<String> = [leading.time]
-            .into_iter()
-            .chain(numbers)
-            .map(|x| x.to_string())
-            .collect();
-        text += &(row.join(",") + "\n");
+        let vectors = iter::once(&leading.velocity).chain(&leading.positions);
+        let numbers = iter::once(&leading.time).chain(vectors.flatten());
+        write_row(&mut text, numbers.map(|number| Cell::Number(*number)));
     }
     text
 }

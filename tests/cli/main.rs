@@ -4,8 +4,10 @@
 mod common;
 
 mod claims;
+mod columns;
 mod content;
 mod determinism;
+mod export;
 mod files;
 mod input;
 mod points;

@@ -58,14 +58,9 @@ impl LeadingOrder {
         let course = reduced.leading_order(&times).ok()?;
         let (mut positions, mut velocities) = (Vec::new(), Vec::new());
         for (leading, seen) in course.iter().zip(member.seen) {
-            let pairs = seen.positions.iter().zip(&leading.positions);
-            let off = pairs.map(|(x, there)| (x - there).norm());
-            positions.push(off.fold(0.0, f64::max));
-            let off = seen
-                .velocities
-                .iter()
-                .map(|v| (v - leading.velocity).norm());
-            velocities.push(off.fold(0.0, f64::max));
+            let [position, velocity] = leading.errors(&seen.positions, &seen.velocities);
+            positions.push(position);
+            velocities.push(velocity);
         }
         Some(Errors {
             positions,
