@@ -56,6 +56,7 @@
 //! - [`checkpoint`]: a simulation in a file, to go on with later
 //! - [`validate`]: worlds run as points and as bodies, and their claims judged
 //! - [`export`]: traces as tables and in the formats of other tools
+//! - [`render`]: what happens in a trace, drawn
 //! - [`schema`]: JSON Schemas of the file formats
 
 pub mod checkpoint;
@@ -73,6 +74,7 @@ pub mod picture;
 pub mod plot;
 pub mod profile;
 pub mod reduced;
+pub mod render;
 pub mod schema;
 pub mod sense;
 pub mod shape;

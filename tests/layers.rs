@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 23] = [
+const LAYERS: [&str; 24] = [
     "profile",
     "parallel",
     "file",
@@ -26,6 +26,7 @@ const LAYERS: [&str; 23] = [
     "checkpoint",
     "validate",
     "export",
+    "render",
     "schema",
 ];
 

@@ -174,7 +174,7 @@ fn recorder(
 /// How many threads a command may use.
 #[derive(Debug, Args)]
 pub(super) struct Threads {
-    /// Number of threads that simulate, all cores when absent; the result is the same on any
+    /// Number of threads that compute, all cores when absent; the result is the same on any
     /// number. A trace is written by one more
     #[arg(
         long,

@@ -11,6 +11,7 @@ mod load;
 mod profile;
 mod progress;
 mod reduce;
+mod render;
 mod resume;
 mod run;
 mod schema;
@@ -35,6 +36,7 @@ Examples:
   volary run my.json --trace my.jsonl.zst              Run it, keep every frame
   volary run my.json --checkpoint my.ckpt --every 10   Run it, able to go on after a crash
   volary resume my.ckpt                                Go on
+  volary render my.jsonl.zst -o my.gif                 See what happened
 
 Exit codes: 0 done, 1 failed or stopped, 2 bad input.";
 
@@ -65,6 +67,8 @@ enum Command {
     Check(check::CheckArguments),
     /// Work out the reduced model of fast flocking
     Reduce(reduce::ReduceArguments),
+    /// Draw what happens in a trace
+    Render(render::RenderArguments),
     /// Turn a trace into tables, or into the formats of other tools
     Export(export::ExportArguments),
     /// List the papers' claims, or print some in full
@@ -102,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Reduce(arguments) => reduce::reduce(&arguments),
+        Command::Render(arguments) => render::render(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::Claims(arguments) => claims::claims(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),

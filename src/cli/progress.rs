@@ -5,39 +5,65 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
-/// How far a run has come; draws nothing where no person watches.
+/// How far something long has come; draws nothing where no person watches.
 pub(super) struct Progress(ProgressBar);
 
 impl Progress {
     /// A bar for this many steps of this size, on standard error; hidden where that is
     /// no terminal.
     pub(super) fn new(steps: u64, step_size: f64, quiet: bool) -> Self {
-        let bar = if quiet {
-            ProgressBar::hidden()
-        } else {
-            ProgressBar::new(steps)
+        let style = style("{bar:40} t = {time}, {speed} steps/s, {eta} left");
+        let time = move |state: &ProgressState, out: &mut dyn Write| {
+            let _ = write!(out, "{:.2}", state.pos() as f64 * step_size);
         };
-        let style =
-            ProgressStyle::with_template("{bar:40} t = {time}, {speed} steps/s, {eta} left")
-                .unwrap_or_else(|_| ProgressStyle::default_bar())
-                .with_key("time", move |state: &ProgressState, out: &mut dyn Write| {
-                    let _ = write!(out, "{:.2}", state.pos() as f64 * step_size);
-                })
-                .with_key("speed", |state: &ProgressState, out: &mut dyn Write| {
-                    let _ = write!(out, "{:.0}", state.per_sec());
-                });
+        Self::styled(steps, style.with_key("time", time), quiet)
+    }
+
+    /// A bar for this many frames, of which something is done.
+    pub(super) fn of_frames(frames: u64, what: &str, quiet: bool) -> Self {
+        let style = style(&format!(
+            "{what} {{bar:40}} {{speed}} frames/s, {{eta}} left"
+        ));
+        Self::styled(frames, style, quiet)
+    }
+
+    /// A bar for this many steps of several runs together.
+    pub(super) fn of_runs(steps: u64, quiet: bool) -> Self {
+        let style = style("{bar:40} {percent} %, {speed} steps/s, {eta} left");
+        Self::styled(steps, style, quiet)
+    }
+
+    fn styled(count: u64, style: ProgressStyle, quiet: bool) -> Self {
+        let bar = match quiet {
+            true => ProgressBar::hidden(),
+            false => ProgressBar::new(count),
+        };
         bar.set_style(style);
         bar.enable_steady_tick(Duration::from_millis(200));
         Self(bar)
     }
 
-    /// Counts the steps taken; drawn a few times a second at most.
-    pub(super) fn show(&self, steps: u64) {
-        self.0.set_position(steps);
+    /// Counts what is done; drawn a few times a second at most.
+    pub(super) fn show(&self, done: u64) {
+        self.0.set_position(done);
+    }
+
+    /// Counts one more.
+    pub(super) fn advance(&self) {
+        self.0.inc(1);
     }
 
     /// Removes the bar.
     pub(super) fn finish(self) {
         self.0.finish_and_clear();
     }
+}
+
+/// A style that knows the speed.
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("speed", |state: &ProgressState, out: &mut dyn Write| {
+            let _ = write!(out, "{:.0}", state.per_sec());
+        })
 }

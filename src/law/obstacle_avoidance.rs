@@ -72,6 +72,12 @@ impl<const D: usize> ObstacleAvoidance<D> {
             gamma_agents: world.obstacles.iter().map(of_obstacle).collect(),
         }
     }
+
+    /// The γ-agents x_k of an obstacle where it stands, one entry for each part that acts on its
+    /// own, empty where that has none; no entry where nothing has: Fig. 6.
+    pub fn gamma_agents(&self, obstacle: &Obstacle<D>) -> Vec<Option<Vector<D>>> {
+        gamma_agents(obstacle, self.gamma)
+    }
 }
 
 impl<const D: usize> Law<D> for ObstacleAvoidance<D> {

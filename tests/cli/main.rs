@@ -13,6 +13,7 @@ mod input;
 mod points;
 mod profile;
 mod reduce;
+mod render;
 mod resume;
 mod scene;
 #[cfg(unix)]
