@@ -5,7 +5,7 @@
 //! [`Simulation`](simulation::Simulation) moves it: each step, the sum of the
 //! [`law`]s accelerates the agents, which are rigid bodies that push, block and touch each
 //! other and the obstacles. What happens comes out as the [`record`](trace::record)s of a
-//! [`trace`].
+//! [`trace`], which [`render`] and [`series`] draw.
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -57,6 +57,7 @@
 //! - [`validate`]: worlds run as points and as bodies, and their claims judged
 //! - [`export`]: traces as tables and in the formats of other tools
 //! - [`render`]: what happens in a trace, drawn
+//! - [`series`]: quantities along traces, plotted
 //! - [`schema`]: JSON Schemas of the file formats
 
 pub mod checkpoint;
@@ -77,6 +78,7 @@ pub mod reduced;
 pub mod render;
 pub mod schema;
 pub mod sense;
+pub mod series;
 pub mod shape;
 pub mod simulation;
 pub mod sum;

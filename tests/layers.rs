@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 24] = [
+const LAYERS: [&str; 25] = [
     "profile",
     "parallel",
     "file",
@@ -27,6 +27,7 @@ const LAYERS: [&str; 24] = [
     "validate",
     "export",
     "render",
+    "series",
     "schema",
 ];
 

@@ -8,6 +8,7 @@ mod drive;
 mod export;
 mod files;
 mod load;
+mod plot;
 mod profile;
 mod progress;
 mod reduce;
@@ -69,6 +70,8 @@ enum Command {
     Reduce(reduce::ReduceArguments),
     /// Draw what happens in a trace
     Render(render::RenderArguments),
+    /// Draw what traces record over time, and where agents go
+    Plot(plot::PlotArguments),
     /// Turn a trace into tables, or into the formats of other tools
     Export(export::ExportArguments),
     /// List the papers' claims, or print some in full
@@ -107,6 +110,7 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Reduce(arguments) => reduce::reduce(&arguments),
         Command::Render(arguments) => render::render(&arguments),
+        Command::Plot(arguments) => plot::plot(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::Claims(arguments) => claims::claims(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),

@@ -10,6 +10,7 @@ mod determinism;
 mod export;
 mod files;
 mod input;
+mod plot;
 mod points;
 mod profile;
 mod reduce;
