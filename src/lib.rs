@@ -58,6 +58,7 @@
 //! - [`export`]: traces as tables and in the formats of other tools
 //! - [`render`]: what happens in a trace, drawn
 //! - [`series`]: quantities along traces, plotted
+//! - [`figure`]: the figures of the papers, made anew
 //! - [`schema`]: JSON Schemas of the file formats
 
 pub mod checkpoint;
@@ -65,6 +66,7 @@ pub mod claim;
 mod csv;
 pub mod dynamics;
 pub mod export;
+pub mod figure;
 pub mod file;
 pub mod law;
 pub mod math;

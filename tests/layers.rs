@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 25] = [
+const LAYERS: [&str; 26] = [
     "profile",
     "parallel",
     "file",
@@ -28,6 +28,7 @@ const LAYERS: [&str; 25] = [
     "export",
     "render",
     "series",
+    "figure",
     "schema",
 ];
 

@@ -6,6 +6,7 @@ mod check;
 mod claims;
 mod drive;
 mod export;
+mod figures;
 mod files;
 mod load;
 mod plot;
@@ -74,6 +75,8 @@ enum Command {
     Plot(plot::PlotArguments),
     /// Turn a trace into tables, or into the formats of other tools
     Export(export::ExportArguments),
+    /// Make the papers' figures anew
+    Figures(figures::FiguresArguments),
     /// List the papers' claims, or print some in full
     Claims(claims::ClaimsArguments),
     /// List the shipped worlds, or print one
@@ -112,6 +115,7 @@ pub fn main() -> ExitCode {
         Command::Render(arguments) => render::render(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments),
         Command::Export(arguments) => export::export(&arguments),
+        Command::Figures(arguments) => figures::figures(&arguments),
         Command::Claims(arguments) => claims::claims(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),

@@ -8,6 +8,7 @@ mod columns;
 mod content;
 mod determinism;
 mod export;
+mod figures;
 mod files;
 mod input;
 mod plot;
