@@ -1,9 +1,9 @@
 //! Bodies, which way they head and how fast they go.
 
-use crate::picture::Stroke;
+use crate::picture::{Path, Stroke};
 use crate::render::Scene;
 use crate::render::frame::State;
-use crate::render::view::{Canvas, disk};
+use crate::render::view::{Canvas, disk, filled};
 
 /// Radius in pixels below which no body is drawn: a smaller one would not be seen.
 const SMALLEST: f64 = 1.5;
@@ -28,8 +28,11 @@ pub(in crate::render) fn bodies<const D: usize>(
     }
 }
 
-/// Draws a line from the middle of each body to where it heads: on a body that is large on the
-/// page up to its rim, out of a smaller one; in space always out of it.
+/// Radius in pixels below which a body is pointed where it heads: a line would look like a tail.
+const POINTED: f64 = 4.0;
+
+/// Draws a line from the middle of each body to where it heads: in the plane up to its rim, in
+/// space out of it. A small body gets a point there instead.
 pub(in crate::render) fn headings<const D: usize>(
     scene: &Scene<'_, D>,
     state: &State<'_, D>,
@@ -46,12 +49,18 @@ pub(in crate::render) fn headings<const D: usize>(
         }
         let radius = scene.world.agents.radius[agent];
         let seen = radius * sight.scale;
-        let (color, length) = match D == 2 && seen >= 4.0 {
-            true => (scene.look.theme.page, 0.9 * radius),
-            false => (
-                state.colors[agent],
-                radius + (0.8 * seen).clamp(3.0, 8.0) / sight.scale,
-            ),
+        let color = state.colors[agent];
+        let beyond = radius + (0.8 * seen).clamp(3.0, 8.0) / sight.scale;
+        if seen < POINTED {
+            let color = canvas.view.through_air(color, sight.distance);
+            let tip = canvas.view.see(&(position + heading * beyond));
+            let point = tip.and_then(|tip| point(sight.at, tip.at, seen.max(SMALLEST)));
+            canvas.mark_at(&position, 0.0, |_| Some(filled(point?, color)));
+            continue;
+        }
+        let (color, length) = match D {
+            2 => (scene.look.theme.page, 0.9 * radius),
+            _ => (color, beyond),
         };
         let width = (0.3 * seen).clamp(1.0, 2.0);
         canvas.lines(
@@ -59,6 +68,15 @@ pub(in crate::render) fn headings<const D: usize>(
             &Stroke::new(color, width),
         );
     }
+}
+
+/// What makes a disk end in a point at `tip`; nothing where that is above its middle.
+fn point(middle: [f64; 2], tip: [f64; 2], radius: f64) -> Option<Path> {
+    let [x, y] = [tip[0] - middle[0], tip[1] - middle[1]];
+    let length = x.hypot(y);
+    let [across, along] = [-y, x].map(|part| part / length * radius);
+    let side = |sign: f64| [middle[0] + sign * across, middle[1] + sign * along];
+    (length > 0.0).then(|| Path::polygon([side(1.0), tip, side(-1.0)]))
 }
 
 /// Draws velocities as arrows, the largest of the run as long as [`LONGEST`].
