@@ -37,6 +37,7 @@
 //!
 //! - [`profile`]: where the time goes
 //! - [`parallel`]: work shared out over threads
+//! - [`stop`]: a request to stop
 //! - [`mod@file`]: files that appear whole or not at all
 //! - [`math`]: vectors and the scalar functions that laws are made of
 //! - [`picture`]: marks on a page, as SVG or as pixels, and films
@@ -83,6 +84,7 @@ pub mod sense;
 pub mod series;
 pub mod shape;
 pub mod simulation;
+pub mod stop;
 pub mod sum;
 pub mod trace;
 pub mod validate;

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 /// From the bottom up. A module may use those before it in the list, and itself.
-const LAYERS: [&str; 26] = [
+const LAYERS: [&str; 27] = [
     "profile",
     "parallel",
+    "stop",
     "file",
     "csv",
     "math",
