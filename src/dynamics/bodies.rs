@@ -29,7 +29,7 @@ use rayon::prelude::*;
 use crate::dynamics::actuator::Actuators;
 use crate::dynamics::attitude::Attitudes;
 use crate::dynamics::failure::{Failure, LARGEST};
-use crate::dynamics::{Cuts, Drive, Engine, Physics, Snapshot, Touch, Touched, turn};
+use crate::dynamics::{Cuts, Drive, Engine, Gaps, Physics, Snapshot, Strain, Touch, Touched, turn};
 use crate::law::{Flock, Pulls, State};
 use crate::math::{Vector, axis};
 use crate::parallel::{CHUNK, for_each};
@@ -233,11 +233,21 @@ impl<const D: usize> Bodies<D> {
         touches.retain(|touch| touch.gap <= 0.0);
         sort(&mut touches);
         for touch in &mut touches {
-            touch.impulse = 0.0;
+            touch.press = 0.0;
             touch.position = self.positions[touch.agent];
             set_speeds(touch, &self.velocities, &self.obstacles);
         }
         touches
+    }
+
+    /// The smallest gaps so far.
+    pub fn gaps(&self) -> Gaps {
+        Gaps::default()
+    }
+
+    /// How near the run came so far to what contacts can do.
+    pub fn strain(&self) -> Strain {
+        Strain::default()
     }
 
     /// Measures from now on where the time goes, or does so no longer.

@@ -7,6 +7,7 @@
 mod actuator;
 mod attitude;
 mod bodies;
+mod contact;
 mod failure;
 mod mover;
 mod points;
@@ -14,12 +15,12 @@ mod relaxation;
 
 pub use actuator::Cuts;
 pub use bodies::{Bodies, BodiesState};
+pub use contact::{Closest, Gaps, Strain, Touch, Touched};
 pub use failure::Failure;
 pub use mover::{Dynamics, Mover, MoverState};
 pub use points::{Accuracy, Points, PointsState, Solver};
 
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::math::{Matrix, Vector, direction};
@@ -86,40 +87,6 @@ pub enum Steering {
     Torque(Vector<3>),
     /// The angular velocity that it begins the step with.
     Spin(Vector<3>),
-}
-
-/// What a body touched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Touched {
-    /// Another agent, by index.
-    Agent(usize),
-    /// An obstacle, by index.
-    Obstacle(usize),
-}
-
-/// Two bodies that touched during a step: a positive impulse, or a gap of zero or less.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Touch<const D: usize> {
-    /// The agent; the one with the lower index where both are agents.
-    pub agent: usize,
-    /// What it touched.
-    pub touched: Touched,
-    /// Gap between the surfaces at the start of the step, or of a pass of the engine within it
-    /// where that is less; negative where they overlap.
-    pub gap: f64,
-    /// Normal impulse of the step.
-    pub impulse: f64,
-    /// Speed of approach of the centres along the normal, had nothing been in the way.
-    pub approach_speed: f64,
-    /// Speed at which the surface of a moving obstacle advances into the agent along the
-    /// normal; 0 where it recedes, and for fixed obstacles and agents.
-    pub push_speed: f64,
-    /// Unit normal, pointing from the agent to what it touched.
-    pub normal: Vector<D>,
-    /// The point of what it touched that is deepest in the agent, where it is after the step.
-    pub point: Vector<D>,
-    /// Position of the agent at the start of the step.
-    pub position: Vector<D>,
 }
 
 /// A world of rigid bodies: one for each agent, and the obstacles.

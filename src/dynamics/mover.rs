@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::points::{Accuracy, Points, PointsState, Solver};
-use super::{Bodies, BodiesState, Cuts, Engine, Failure, Snapshot, Touch, Unusable};
+use super::{Bodies, BodiesState, Cuts, Engine, Failure, Gaps, Snapshot, Strain, Touch, Unusable};
 use crate::law::{Flock, State};
 use crate::math::Vector;
 use crate::shape::In;
@@ -134,6 +134,22 @@ impl<const D: usize> Mover<D> {
         match self {
             Self::Bodies(bodies) => bodies.touches_now(),
             Self::Points(_) => Vec::new(),
+        }
+    }
+
+    /// The smallest gaps so far; of points those between the bodies that they would be.
+    pub fn gaps(&self) -> Gaps {
+        match self {
+            Self::Bodies(bodies) => bodies.gaps(),
+            Self::Points(_) => Gaps::default(),
+        }
+    }
+
+    /// How near the run came so far to what contacts can do at its step; points touch nothing.
+    pub fn strain(&self) -> Strain {
+        match self {
+            Self::Bodies(bodies) => bodies.strain(),
+            Self::Points(_) => Strain::default(),
         }
     }
 

@@ -113,7 +113,7 @@ impl Ledger {
     ) -> Contact {
         let penetration = (-touch.gap).max(0.0);
         let count = self.count(contact.with);
-        count.largest_impulse = count.largest_impulse.max(touch.impulse);
+        count.largest_impulse = count.largest_impulse.max(touch.impulse());
         count.deepest_penetration = count.deepest_penetration.max(penetration);
         count.pushed += u64::from(contact.push_speed == 0.0 && touch.push_speed > 0.0);
         let smallest = match contact.with {
@@ -125,7 +125,7 @@ impl Ledger {
             end,
             // An overlap found when the run ends takes no step.
             steps: contact.steps + u64::from(begin < end),
-            largest_impulse: contact.largest_impulse.max(touch.impulse),
+            largest_impulse: contact.largest_impulse.max(touch.impulse()),
             deepest_penetration: contact.deepest_penetration.max(penetration),
             push_speed: contact.push_speed.max(touch.push_speed),
             ..contact
@@ -149,8 +149,11 @@ mod tests {
         Touch {
             agent,
             touched,
+            time: 0.0,
             gap,
-            impulse,
+            blow: impulse,
+            press: 0.0,
+            friction: 0.0,
             approach_speed: 2.0,
             push_speed: 0.0,
             normal: Vector::<2>::new(1.0, 0.0),

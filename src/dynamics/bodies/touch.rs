@@ -14,7 +14,7 @@ pub(super) fn sort<const D: usize>(touches: &mut Vec<Touch<D>>) {
     touches.dedup_by(|next, kept| {
         let same = (next.agent, next.touched) == (kept.agent, kept.touched);
         if same {
-            kept.impulse += next.impulse;
+            kept.press += next.press;
         }
         same
     });

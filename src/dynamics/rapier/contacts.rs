@@ -86,8 +86,11 @@ impl Rapier {
         Some(Touch {
             agent,
             touched,
+            time: 0.0,
             gap,
-            impulse,
+            blow: 0.0,
+            press: impulse,
+            friction: 0.0,
             approach_speed: 0.0,
             push_speed: 0.0,
             normal: normal.to_array().into(),
