@@ -11,6 +11,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::dynamics::contact::has_friction;
 use crate::dynamics::{Physics, Steering};
 use crate::math::{Matrix, Vector, axis, direction};
 use crate::world::World;
@@ -56,9 +57,10 @@ enum Rule {
 }
 
 impl<const D: usize> Attitudes<D> {
-    /// The attitudes of a world's bodies at the start; `None` where all are balls.
+    /// The attitudes of a world's bodies at the start; `None` where all are balls
+    /// that nothing turns.
     pub(super) fn new(world: &World<D>) -> Option<Self> {
-        if world.solids.iter().all(|solid| solid.is_ball()) {
+        if world.solids.iter().all(|solid| solid.is_ball()) && !has_friction(world) {
             return None;
         }
         let agents = &world.agents;

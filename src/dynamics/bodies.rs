@@ -15,29 +15,31 @@
 //! momentum. The price is stability: velocity feedback of rate λ needs
 //! λh < 2n²/((n + 1)(2n − 1)), which is 1 for n = 1 and not below 8/9 for any n.
 //!
-//! A body that was touched has its velocity read as it stands: the engine's velocity after
-//! a contact is the one it moves on with.
+//! A body that is held against another has its velocity read as it stands: the engine's
+//! velocity after a contact is the one it moves on with. Blows are not the engine's: it takes
+//! the step as if nothing met but what lasts, and `contact` follows the bounces on the ways
+//! that it gives, each of which is the parabola x + v s + F s²/2 from the velocity v at the
+//! start of the step.
 
 mod decision;
+mod impacts;
 mod state;
 mod touch;
 
 pub use state::BodiesState;
 
-use rayon::prelude::*;
-
 use crate::dynamics::actuator::Actuators;
 use crate::dynamics::attitude::Attitudes;
+use crate::dynamics::contact::Contacts;
 use crate::dynamics::failure::{Failure, LARGEST};
-use crate::dynamics::{Cuts, Drive, Engine, Gaps, Physics, Snapshot, Strain, Touch, Touched, turn};
+use crate::dynamics::{Cuts, Drive, Engine, Gaps, Physics, Snapshot, Strain, Touch, turn};
 use crate::law::{Flock, Pulls, State};
 use crate::math::{Vector, axis};
-use crate::parallel::{CHUNK, for_each};
+
 use crate::profile::Stopwatch;
-use crate::shape::{In, Obstacle};
+use crate::shape::{In, Obstacle, Pose};
 use crate::world::World;
 use decision::Verdict;
-use touch::{set_speeds, sort};
 
 /// Agents as rigid bodies.
 pub struct Bodies<const D: usize> {
@@ -74,6 +76,11 @@ pub struct Bodies<const D: usize> {
     /// The pulls of the laws that relax.
     pulls: Pulls<D>,
     touches: Vec<Touch<D>>,
+    contacts: Contacts<D>,
+    /// Whether each body was pressed against another in the step.
+    pressed: Vec<bool>,
+    /// Where the obstacles stood at the start of the step.
+    stood: Vec<Pose<D>>,
     /// Scratch: what came of the decisions for each chunk of agents.
     verdicts: Vec<Verdict<D>>,
     /// The engine's own steps, and finding out what touched.
@@ -87,6 +94,7 @@ impl<const D: usize> Bodies<D> {
         In<D>: Engine<D>,
     {
         let mut bodies = Self::around(<In<D> as Engine<D>>::physics(world), world);
+        bodies.look_around();
         // The first step is taken with the forces decided here.
         bodies.ask(flock);
         bodies.decide()?;
@@ -103,7 +111,10 @@ impl<const D: usize> Bodies<D> {
     }
 
     /// Bodies that this engine moves, before anything has happened to them.
-    fn around(physics: Box<dyn Physics<D>>, world: &World<D>) -> Self {
+    fn around(physics: Box<dyn Physics<D>>, world: &World<D>) -> Self
+    where
+        In<D>: Engine<D>,
+    {
         let agents = &world.agents;
         let zeros = vec![Vector::zeros(); agents.len()];
         let mut bodies = Self {
@@ -114,7 +125,7 @@ impl<const D: usize> Bodies<D> {
             attitudes: Attitudes::new(world),
             gravity: world.gravity,
             step_size: world.spec.time.step,
-            substeps: world.spec.substeps() as f64,
+            substeps: world.spec.physics.solver_iterations as f64,
             step: 0,
             next: (zeros.clone(), zeros.clone()),
             positions: agents.positions.clone(),
@@ -130,6 +141,9 @@ impl<const D: usize> Bodies<D> {
             ahead: zeros,
             pulls: Pulls::default(),
             touches: Vec::new(),
+            contacts: Contacts::new(world),
+            pressed: vec![false; agents.len()],
+            stood: Vec::new(),
             verdicts: Vec::new(),
             watches: Default::default(),
         };
@@ -143,6 +157,7 @@ impl<const D: usize> Bodies<D> {
             self.ask(flock);
             self.decide()?;
         }
+        self.hold();
         self.move_obstacles(self.step + 1);
         let steering = match &mut self.attitudes {
             None => &[][..],
@@ -160,39 +175,18 @@ impl<const D: usize> Bodies<D> {
             forces: &self.forces,
             steering,
             obstacles: &self.obstacles,
+            lasting: self.contacts.held(),
         };
         self.watches[0].time(|| self.physics.step(drive));
         let begin = self.watches[1].begin();
+        let velocities = &mut self.engine_velocities;
+        self.physics.read(&mut self.next.0, velocities);
         self.find_touches();
+        self.bounce();
         self.watches[1].end(begin);
-        let (positions, velocities) = &mut self.next;
-        self.physics.read(positions, &mut self.engine_velocities);
-        let chunks = velocities.par_chunks_mut(CHUNK);
-        let engine = self.engine_velocities.par_chunks(CHUNK);
-        let chunks = chunks.zip(engine.zip(self.ahead.par_chunks(CHUNK)));
-        for_each(
-            self.masses.len(),
-            chunks,
-            |(velocities, (engine, ahead))| {
-                for (velocity, (engine, ahead)) in
-                    velocities.iter_mut().zip(engine.iter().zip(ahead))
-                {
-                    *velocity = engine + ahead;
-                }
-            },
-        );
-        for touch in &self.touches {
-            velocities[touch.agent] = self.engine_velocities[touch.agent];
-            if let Touched::Agent(other) = touch.touched {
-                velocities[other] = self.engine_velocities[other];
-            }
-        }
         if let Err(failure) = self.check_next() {
             self.move_obstacles(self.step);
             return Err(failure);
-        }
-        if let Some(attitudes) = &mut self.attitudes {
-            attitudes.read(&*self.physics);
         }
         std::mem::swap(&mut self.positions, &mut self.next.0);
         std::mem::swap(&mut self.velocities, &mut self.next.1);
@@ -224,30 +218,14 @@ impl<const D: usize> Bodies<D> {
         &self.touches
     }
 
-    /// The contacts of the present positions, ordered by who touches what: those that
-    /// no step has answered yet, so without impulse.
-    pub fn touches_now(&mut self) -> Vec<Touch<D>> {
-        self.physics.detect();
-        let mut touches = Vec::new();
-        self.physics.touches(&mut touches);
-        touches.retain(|touch| touch.gap <= 0.0);
-        sort(&mut touches);
-        for touch in &mut touches {
-            touch.press = 0.0;
-            touch.position = self.positions[touch.agent];
-            set_speeds(touch, &self.velocities, &self.obstacles);
-        }
-        touches
-    }
-
     /// The smallest gaps so far.
     pub fn gaps(&self) -> Gaps {
-        Gaps::default()
+        self.contacts.gaps()
     }
 
     /// How near the run came so far to what contacts can do.
     pub fn strain(&self) -> Strain {
-        Strain::default()
+        self.contacts.strain()
     }
 
     /// Measures from now on where the time goes, or does so no longer.
@@ -318,25 +296,6 @@ impl<const D: usize> Bodies<D> {
         turn(&mut self.headings, &self.velocities);
         if let Some(attitudes) = &self.attitudes {
             attitudes.headings(&mut self.headings);
-        }
-    }
-
-    /// Reads the contacts of the step just taken; positions and velocities are still
-    /// those before it.
-    fn find_touches(&mut self) {
-        self.touches.clear();
-        self.physics.touches(&mut self.touches);
-        sort(&mut self.touches);
-        if self.touches.is_empty() {
-            return;
-        }
-        // The velocities that the bodies would have moved with.
-        for (velocity, applied) in self.engine_velocities.iter_mut().zip(&self.applied) {
-            *velocity += applied * self.step_size;
-        }
-        for touch in &mut self.touches {
-            touch.position = self.positions[touch.agent];
-            set_speeds(touch, &self.engine_velocities, &self.obstacles);
         }
     }
 

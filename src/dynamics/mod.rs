@@ -15,6 +15,7 @@ mod relaxation;
 
 pub use actuator::Cuts;
 pub use bodies::{Bodies, BodiesState};
+use contact::{Change, Pair};
 pub use contact::{Closest, Gaps, Strain, Touch, Touched};
 pub use failure::Failure;
 pub use mover::{Dynamics, Mover, MoverState};
@@ -76,6 +77,8 @@ pub struct Drive<'a, const D: usize> {
     pub steering: &'a [Steering],
     /// The obstacles, where they are at the end of the step.
     pub obstacles: &'a [Obstacle<D>],
+    /// The pairs that are held together, in their order: no others touch.
+    pub lasting: &'a [Pair],
 }
 
 /// What turns a body in a step, besides contacts. In the plane the last component counts.
@@ -104,11 +107,12 @@ pub trait Physics<const D: usize>: Send + Sync {
     /// list of forces leaves them as they were, at first none.
     fn step(&mut self, drive: Drive<'_, D>);
 
-    /// Finds the contacts of the present positions, without moving anything.
-    fn detect(&mut self);
+    /// Puts a body where its bounces led it.
+    #[doc(hidden)]
+    fn place(&mut self, change: &Change<D>);
 
-    /// Appends the contacts of the last step or detection; `position` and the speeds are
-    /// left at zero. An obstacle of several parts may come once for each.
+    /// Appends the contacts of the last step that were held; times, `position` and the speeds
+    /// are left at zero. An obstacle of several parts may come once for each.
     fn touches(&self, out: &mut Vec<Touch<D>>);
 
     /// The agents that the engine gave up because their state became non-finite.
@@ -159,9 +163,10 @@ mod plane {
         body
     }
 
-    /// Mass and moment of inertia of a solid whose centroid is its frame's origin.
-    fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
-        let moment = solid.inertia()[(2, 2)] * (mass / solid.volume());
+    /// Mass and moment of inertia of a solid whose centroid is its frame's origin, its lengths
+    /// times a scale.
+    fn weight(solid: &Solid<D>, mass: f64, scale: f64) -> MassProperties {
+        let moment = solid.inertia()[(2, 2)] / solid.volume() * scale * scale * mass;
         MassProperties::new(EngineVector::ZERO, mass, moment)
     }
 
@@ -202,9 +207,10 @@ mod space {
         body.gyroscopic_forces_enabled(false)
     }
 
-    /// Mass and inertia tensor of a solid whose centroid is its frame's origin.
-    fn weight(solid: &Solid<D>, mass: f64) -> MassProperties {
-        let tensor = solid.inertia() * (mass / solid.volume());
+    /// Mass and inertia tensor of a solid whose centroid is its frame's origin, its lengths times
+    /// a scale.
+    fn weight(solid: &Solid<D>, mass: f64, scale: f64) -> MassProperties {
+        let tensor = solid.inertia() / solid.volume() * scale * scale * mass;
         let columns: [f64; 9] = std::array::from_fn(|k| tensor.as_slice()[k]);
         let tensor = EngineMatrix::from_cols_array(&columns);
         MassProperties::with_inertia_matrix(EngineVector::ZERO, mass, tensor)

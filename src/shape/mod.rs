@@ -89,6 +89,34 @@ impl<const D: usize> Shape<D> {
         }
     }
 
+    /// The same shape with all lengths times a number above 0.
+    pub fn scaled(&self, by: f64) -> Self {
+        match self {
+            Self::Ball { radius } => Self::Ball {
+                radius: radius * by,
+            },
+            Self::Cuboid { half_extents } => Self::Cuboid {
+                half_extents: half_extents * by,
+            },
+            Self::Capsule { from, to, radius } => Self::Capsule {
+                from: from * by,
+                to: to * by,
+                radius: radius * by,
+            },
+            Self::HalfSpace { normal } => Self::HalfSpace { normal: *normal },
+            Self::Convex { points } => Self::Convex {
+                points: points.iter().map(|point| point * by).collect(),
+            },
+            Self::Segment { from, to } => Self::Segment {
+                from: from * by,
+                to: to * by,
+            },
+            Self::Triangle { points } => Self::Triangle {
+                points: points.map(|point| point * by),
+            },
+        }
+    }
+
     /// Whether it ends somewhere in every direction.
     pub fn is_bounded(&self) -> bool {
         !matches!(self, Self::HalfSpace { .. })

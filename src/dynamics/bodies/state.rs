@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Bodies;
 use crate::dynamics::attitude::Stances;
+use crate::dynamics::contact::ContactsState;
 use crate::dynamics::{Cuts, Engine, Unusable};
 use crate::math::Vector;
 use crate::shape::In;
@@ -24,6 +25,7 @@ pub struct BodiesState<const D: usize> {
     applied: Vec<Vector<D>>,
     ahead: Vec<Vector<D>>,
     cuts: Cuts,
+    contacts: ContactsState,
 }
 
 impl<const D: usize> Bodies<D> {
@@ -74,6 +76,8 @@ impl<const D: usize> Bodies<D> {
         let (positions, velocities) = (&mut bodies.positions, &mut bodies.engine_velocities);
         bodies.physics.read(positions, velocities);
         bodies.move_obstacles(bodies.step);
+        bodies.look_around();
+        bodies.contacts.resume(state.contacts);
         Ok(bodies)
     }
 
@@ -96,6 +100,7 @@ impl<const D: usize> Bodies<D> {
             applied,
             ahead,
             actuators,
+            contacts,
             // Part of the world, and of the time.
             groups: _,
             obstacles: _,
@@ -110,6 +115,8 @@ impl<const D: usize> Bodies<D> {
             next: _,
             pulls: _,
             touches: _,
+            pressed: _,
+            stood: _,
             // The past alone.
             verdicts: _,
             watches: _,
@@ -127,6 +134,7 @@ impl<const D: usize> Bodies<D> {
             applied: applied.clone(),
             ahead: ahead.clone(),
             cuts: actuators.cuts(),
+            contacts: contacts.capture(),
         })
     }
 }

@@ -5,16 +5,21 @@ use crate::math::Vector;
 use crate::shape::Obstacle;
 
 /// Orders touches by who touched what. Those of one agent with several parts of one
-/// obstacle become one: the closest, with the impulses of all.
+/// obstacle, or held and struck in one step, become one: the first, with the impulses of all.
 pub(super) fn sort<const D: usize>(touches: &mut Vec<Touch<D>>) {
     touches.sort_by(|a, b| {
         let key = |touch: &Touch<D>| (touch.agent, touch.touched);
-        key(a).cmp(&key(b)).then(a.gap.total_cmp(&b.gap))
+        let order = key(a).cmp(&key(b)).then(a.time.total_cmp(&b.time));
+        order.then(a.gap.total_cmp(&b.gap))
     });
     touches.dedup_by(|next, kept| {
         let same = (next.agent, next.touched) == (kept.agent, kept.touched);
         if same {
+            kept.blow += next.blow;
             kept.press += next.press;
+            kept.friction += next.friction;
+            kept.gap = kept.gap.min(next.gap);
+            kept.push_speed = kept.push_speed.max(next.push_speed);
         }
         same
     });

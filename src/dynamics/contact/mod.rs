@@ -1,5 +1,21 @@
 //! Contacts: what touches within a step, and what comes of it.
 
+mod blow;
+mod contacts;
+mod flight;
+mod meet;
+mod near;
+mod pair;
+mod roster;
+mod sweep;
+mod way;
+
+pub(crate) use contacts::{Contacts, ContactsState, Start};
+pub(crate) use flight::Flight;
+pub use pair::{Other, Pair};
+pub(crate) use roster::{can_turn, has_friction};
+pub use sweep::Change;
+
 use serde::{Deserialize, Serialize};
 
 use crate::math::Vector;

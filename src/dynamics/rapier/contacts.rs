@@ -3,39 +3,66 @@
 use super::super::D;
 use super::super::rapier::geometry::ContactPair;
 use super::super::rapier::math::Vector as RapierVector;
-use super::super::rapier::prelude::{ColliderHandle, ContactModificationContext, PhysicsHooks};
+use super::super::rapier::prelude::{
+    Collider, ColliderHandle, ContactModificationContext, PairFilterContext, PhysicsHooks,
+    SolverFlags,
+};
 use super::Rapier;
+use crate::dynamics::contact::{Other, Pair};
 use crate::dynamics::{Touch, Touched};
 use crate::math::Vector;
 
-/// Restitution and friction of each obstacle, where its own count.
+/// What the engine is told about pairs.
 pub(super) struct Surfaces {
     pub(super) agents: usize,
-    pub(super) own: Vec<(Option<f64>, Option<f64>)>,
+    /// Friction of each obstacle, where its own counts.
+    pub(super) friction: Vec<Option<f64>>,
+    /// The pairs that are held together in this step, in their order.
+    pub(super) lasting: Vec<Pair>,
+}
+
+impl Surfaces {
+    /// The pair of two colliders, of which one is an agent's.
+    fn pair(&self, colliders: [&Collider; 2]) -> Option<Pair> {
+        let agents = self.agents as u64;
+        let of =
+            |collider: &Collider| (collider.user_data as u64, (collider.user_data >> 64) as u32);
+        let mut both = colliders.map(of);
+        both.sort_unstable_by_key(|it| it.0);
+        let [(one, _), (other, part)] = both;
+        let other = match other.checked_sub(agents) {
+            None => Other::Agent(other as u32),
+            Some(obstacle) => Other::Part(obstacle as u32, part),
+        };
+        let agent = one as u32;
+        (one < agents).then_some(Pair { agent, other })
+    }
 }
 
 impl PhysicsHooks for Surfaces {
+    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> Option<SolverFlags> {
+        let colliders = [context.collider1, context.collider2];
+        let pair = self.pair(colliders.map(|it| &context.colliders[it]))?;
+        let held = self.lasting.binary_search(&pair).is_ok();
+        held.then(SolverFlags::default)
+    }
+
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext<'_>) {
-        let owner = [context.collider1, context.collider2]
-            .map(|collider| context.colliders[collider].user_data as usize)
-            .into_iter()
-            .find_map(|index| index.checked_sub(self.agents));
-        let Some((restitution, friction)) = owner.and_then(|index| self.own.get(index)) else {
+        let colliders = [context.collider1, context.collider2];
+        let Some(pair) = self.pair(colliders.map(|it| &context.colliders[it])) else {
             return;
         };
-        if let Some(contact) = context.rigid_mut() {
-            if let Some(restitution) = restitution {
-                *contact.restitution = *restitution;
-            }
-            if let Some(friction) = friction {
-                *contact.friction = *friction;
-            }
+        if let Other::Part(obstacle, _) = pair.other
+            && let Some(friction) = self.friction[obstacle as usize]
+            && let Some(contact) = context.rigid_mut()
+        {
+            *contact.friction = friction;
         }
     }
 }
 
 impl Rapier {
-    /// The contacts of the pass just taken.
+    /// The contacts of the step just taken.
     pub(super) fn found(&self) -> impl Iterator<Item = Touch<D>> + '_ {
         let pairs = self.world.narrow_phase.contact_pairs();
         pairs.filter_map(|pair| self.touch(pair))
@@ -44,7 +71,7 @@ impl Rapier {
     /// What a collider belongs to, by its user data: the agents count first, then the
     /// obstacles.
     fn owner(&self, collider: ColliderHandle) -> Touched {
-        let index = self.world.colliders[collider].user_data as usize;
+        let index = self.world.colliders[collider].user_data as u64 as usize;
         match index.checked_sub(self.bodies.len()) {
             None => Touched::Agent(index),
             Some(obstacle) => Touched::Obstacle(obstacle),
@@ -53,12 +80,13 @@ impl Rapier {
 
     fn touch(&self, pair: &ContactPair) -> Option<Touch<D>> {
         let mut gap = f64::INFINITY;
-        let mut impulse = 0.0;
+        let (mut impulse, mut friction) = (0.0, 0.0);
         let mut normal = RapierVector::ZERO;
         let mut places = [RapierVector::ZERO; 2];
         for manifold in pair.manifolds() {
             for point in &manifold.points {
                 impulse += point.data.impulse;
+                friction += point.data.tangent_impulse.norm();
                 if point.dist < gap {
                     gap = point.dist;
                     normal = manifold.data.normal;
@@ -66,7 +94,7 @@ impl Rapier {
                 }
             }
         }
-        // The engine calls a pair in contact from a gap of 2% of a length unit on.
+        // The engine also finds what is merely near.
         if impulse <= 0.0 && gap > 0.0 {
             return None;
         }
@@ -87,14 +115,14 @@ impl Rapier {
             agent,
             touched,
             time: 0.0,
-            gap,
+            gap: self.units.distance(gap),
             blow: 0.0,
-            press: impulse,
-            friction: 0.0,
+            press: self.units.impulse(impulse),
+            friction: self.units.impulse(friction),
             approach_speed: 0.0,
             push_speed: 0.0,
             normal: normal.to_array().into(),
-            point: point.to_array().into(),
+            point: self.units.read(point),
             position: Vector::zeros(),
         })
     }

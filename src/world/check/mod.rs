@@ -45,7 +45,11 @@ pub fn problems(world: &WorldSpec) -> Vec<Problem> {
 
 /// Everything wrong with a world that agrees with the schema.
 pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
-    let mut check = Check::new(world.dimension, world.time.step, world.substeps());
+    let mut check = Check::new(
+        world.dimension,
+        world.time.step,
+        world.physics.solver_iterations,
+    );
     check.time(&world.time, &world.record);
     if let Some(gravity) = &world.physics.gravity {
         check.vector("physics.gravity", gravity);

@@ -104,22 +104,6 @@ pub struct WorldSpec {
     pub claims: Vec<ClaimSpec>,
 }
 
-impl WorldSpec {
-    /// How often in a step the engine looks for contacts and solves them: once for balls,
-    /// twice where some body is of another shape, for a blow can turn that within a step.
-    pub fn passes(&self) -> usize {
-        match self.agents.iter().all(GroupSpec::is_round) {
-            true => 1,
-            false => 2,
-        }
-    }
-
-    /// The engine's substeps in a step, over all its passes.
-    pub fn substeps(&self) -> usize {
-        self.physics.solver_iterations * self.passes()
-    }
-}
-
 /// Step and end of the run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -153,10 +137,10 @@ pub struct PhysicsSpec {
     pub friction: f64,
     /// Acceleration of gravity, one number per dimension; absent means none.
     pub gravity: Option<Vec<f64>>,
-    /// How many length units make up a typical body's size; scales the engine's
-    /// contact tolerances (prediction distance 0.02 and slop 0.005 of it).
+    /// Size of a typical body; the tolerances of lasting contact scale with it (bodies are held
+    /// from 0.02 of it on). Absent means the diameter of the smallest body.
     #[schemars(extend("exclusiveMinimum" = 0))]
-    pub length_unit: f64,
+    pub length_unit: Option<f64>,
 }
 
 impl Default for PhysicsSpec {
@@ -166,7 +150,7 @@ impl Default for PhysicsSpec {
             restitution: 0.0,
             friction: 0.0,
             gravity: None,
-            length_unit: 1.0,
+            length_unit: None,
         }
     }
 }

@@ -1,0 +1,374 @@
+//! The contacts of a flock, from step to step.
+
+use serde::{Deserialize, Serialize};
+
+use super::flight::Flight;
+use super::meet::tolerance;
+use super::near;
+use super::pair::{Other, Pair};
+use super::roster::Roster;
+use super::sweep::{Change, Sweep};
+use super::{Closest, Gaps, Strain, Touch, Touched};
+use crate::math::{Matrix, Vector};
+use crate::shape::{Geometry, In, Obstacle, Pose, Separation, Shape, Solid};
+use crate::world::World;
+
+/// Share of a body's size up to which a pair that the engine holds may part and still be held;
+/// and the share that the one may move against the other in a step.
+const HELD: (f64, f64) = (1e-3, 1e-2);
+
+/// What contacts must know between two steps to go on bit for bit.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct ContactsState {
+    lasting: Vec<Pair>,
+    gaps: Gaps,
+    strain: Strain,
+}
+
+/// The contacts of a flock.
+#[derive(Debug)]
+pub(crate) struct Contacts<const D: usize> {
+    roster: Roster<D>,
+    agents: near::Agents<D>,
+    walls: near::Walls<D>,
+    /// Up to which way of each agent no obstacle can come closer than the closest so far.
+    clear: Vec<f64>,
+    state: ContactsState,
+}
+
+/// The state at the start of a step, as far as it decides which contacts last.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Start<'a, const D: usize> {
+    pub(crate) step: f64,
+    pub(crate) positions: &'a [Vector<D>],
+    pub(crate) rotations: Option<&'a [Matrix<D>]>,
+    /// Velocities at the time of the positions.
+    pub(crate) velocities: &'a [Vector<D>],
+    pub(crate) accelerations: &'a [Vector<D>],
+    pub(crate) obstacles: &'a [Obstacle<D>],
+}
+
+impl<const D: usize> Start<'_, D> {
+    fn pose(&self, agent: usize) -> Pose<D> {
+        let rotation = self
+            .rotations
+            .map_or_else(Matrix::identity, |all| all[agent]);
+        Pose::from_matrix(self.positions[agent], rotation)
+    }
+}
+
+impl<const D: usize> Contacts<D> {
+    /// The contacts of a world, before any step.
+    pub(crate) fn new(world: &World<D>) -> Self
+    where
+        In<D>: Geometry<D>,
+    {
+        let roster = Roster::new(world);
+        let ball = |solid: &Solid<D>| {
+            let radius = solid.radius();
+            Solid::new(Shape::Ball { radius }).expect("a ball of a radius above 0")
+        };
+        let balls = world.solids.iter().map(ball).collect();
+        Self {
+            agents: near::Agents::new(&roster.outer),
+            walls: near::Walls::new(balls, &world.agents.group),
+            clear: vec![f64::NEG_INFINITY; roster.len()],
+            roster,
+            state: ContactsState::default(),
+        }
+    }
+
+    /// What [`Contacts::resume`] needs.
+    pub(crate) fn capture(&self) -> ContactsState {
+        self.state.clone()
+    }
+
+    /// Goes on from a state of the same world.
+    pub(crate) fn resume(&mut self, state: ContactsState) {
+        self.state = state;
+    }
+
+    pub(crate) fn gaps(&self) -> Gaps {
+        self.state.gaps
+    }
+
+    pub(crate) fn strain(&self) -> Strain {
+        self.state.strain
+    }
+
+    /// Looks around where bodies stand at the start.
+    pub(crate) fn begin(&mut self, start: Start<'_, D>, time: f64) {
+        let here = [start.positions; 2];
+        let fixed = vec![0.0; start.obstacles.len()];
+        self.agents.follow(here, &|_| 0.0, f64::INFINITY);
+        self.walls.follow(here, &|_| 0.0, start.obstacles, &fixed);
+        self.closest(here, start.obstacles, &|agent| start.pose(agent), time);
+    }
+
+    /// Finds the pairs that the engine is to hold together in the step to come: those that
+    /// touch and are neither struck nor parting.
+    pub(crate) fn hold(&mut self, start: Start<'_, D>) {
+        let mut near = Vec::new();
+        self.agents.below(self.widest(), |one, other| {
+            near.push(Pair::agents(one, other))
+        });
+        self.walls.below(self.widest(), |agent, obstacle, part| {
+            near.push(Pair::wall(agent, obstacle, part));
+        });
+        near.retain(|&pair| self.lasts(pair, &start));
+        self.state.lasting = near;
+    }
+
+    /// The pairs that [`Contacts::hold`] found.
+    pub(crate) fn held(&self) -> &[Pair] {
+        &self.state.lasting
+    }
+
+    /// The pairs that overlap where bodies stand, without impulse.
+    pub(crate) fn overlaps(&self, start: Start<'_, D>, time: f64) -> Vec<Touch<D>> {
+        let mut near = Vec::new();
+        self.agents
+            .below(0.0, |one, other| near.push(Pair::agents(one, other)));
+        self.walls.below(0.0, |agent, obstacle, part| {
+            near.push(Pair::wall(agent, obstacle, part));
+        });
+        let touch = |pair: Pair| {
+            let (found, against, _) = self.stand(pair, &start);
+            let (agent, touched) = pair.touched();
+            (found.gap <= 0.0).then(|| Touch {
+                agent,
+                touched,
+                time,
+                gap: found.gap,
+                blow: 0.0,
+                press: 0.0,
+                friction: 0.0,
+                approach_speed: against.dot(&found.normal),
+                push_speed: 0.0,
+                normal: found.normal,
+                point: found.points[1],
+                position: start.positions[agent],
+            })
+        };
+        near.into_iter().filter_map(touch).collect()
+    }
+
+    /// The widest gap at which a pair may still be held.
+    fn widest(&self) -> f64 {
+        HELD.0 * self.roster.inner.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// How a pair stands to each other, and the velocity and acceleration of the agent against
+    /// the other where they are nearest.
+    fn stand(&self, pair: Pair, start: &Start<'_, D>) -> (Separation<D>, Vector<D>, Vector<D>) {
+        let agent = pair.agent as usize;
+        let pose = start.pose(agent);
+        let solid = self.roster.solid(agent);
+        let (velocity, acceleration) = (start.velocities[agent], start.accelerations[agent]);
+        match pair.other {
+            Other::Agent(other) => {
+                let other = other as usize;
+                let found = solid.separation(&pose, self.roster.solid(other), &start.pose(other));
+                let velocity = velocity - start.velocities[other];
+                (found, velocity, acceleration - start.accelerations[other])
+            }
+            Other::Part(obstacle, part) => {
+                let obstacle = &start.obstacles[obstacle as usize];
+                let part = &obstacle.parts()[part as usize];
+                let found = part.separation(&obstacle.pose, solid, &pose);
+                let twist = obstacle.twist();
+                let surface = twist.map_or(Vector::zeros(), |it| it.at(&found.points[1]));
+                (found, velocity - surface, acceleration)
+            }
+        }
+    }
+
+    fn lasts(&self, pair: Pair, start: &Start<'_, D>) -> bool {
+        let size = pair
+            .members()
+            .map(|it| self.roster.size(it))
+            .fold(f64::INFINITY, f64::min);
+        let (found, against, acceleration) = self.stand(pair, start);
+        let approach = against.dot(&found.normal);
+        let pull = acceleration.dot(&found.normal);
+        let known = self.state.lasting.binary_search(&pair).is_ok();
+        if known && against.norm() * start.step <= HELD.1 * size {
+            return found.gap <= HELD.0 * size;
+        }
+        if found.gap > 4.0 * tolerance(size, &found.points[0]) {
+            return false;
+        }
+        let speed = |agent: usize| start.velocities[agent].amax();
+        let least = 1e-13 * (pair.members().map(speed).sum::<f64>() + against.amax());
+        let struck = approach > 2.0 * pull.max(0.0) * start.step + least;
+        let parts = approach < -least && approach + 0.5 * pull * start.step < 0.0;
+        !struck && !parts
+    }
+
+    /// Follows the bounces of a step that the engine has taken. Appends what touched, and
+    /// returns which bodies end elsewhere.
+    pub(crate) fn sweep(
+        &mut self,
+        flight: Flight<'_, D>,
+        touches: &mut Vec<Touch<D>>,
+    ) -> Vec<Change<D>> {
+        let ways = [flight.from, flight.to];
+        let eighth = 0.125 * flight.step * flight.step;
+        let bend = |i: usize| match flight.accelerations {
+            Some(accelerations) => accelerations[i].norm() * eighth,
+            None => 0.0,
+        };
+        let smallest = self.state.gaps.agents.map_or(f64::INFINITY, |it| it.gap);
+        self.agents.follow(ways, &bend, smallest);
+        self.walls
+            .follow(ways, &bend, flight.obstacles, &flight.moved());
+        let near = (&mut self.agents, &mut self.walls);
+        let swept = Sweep::new(&self.roster, flight, near, &self.state.lasting).run();
+        self.state.strain.unordered += u64::from(swept.unordered);
+        touches.extend(swept.touches);
+        swept.changes
+    }
+
+    /// Looks who came closest in a step from some places to others; `poses` tells how bodies
+    /// stand at its end.
+    pub(crate) fn closest(
+        &mut self,
+        [from, to]: [&[Vector<D>]; 2],
+        obstacles: &[Obstacle<D>],
+        poses: &dyn Fn(usize) -> Pose<D>,
+        time: f64,
+    ) {
+        self.closest_agents([from, to], poses, time);
+        if !obstacles.is_empty() {
+            self.closest_walls(to, obstacles, poses, time);
+        }
+    }
+
+    fn closest_agents(
+        &mut self,
+        [from, to]: [&[Vector<D>]; 2],
+        poses: &dyn Fn(usize) -> Pose<D>,
+        time: f64,
+    ) {
+        let roster = &self.roster;
+        loop {
+            let mut best = self.state.gaps.agents;
+            let gap = best.map_or(self.agents.reach(), |it| it.gap);
+            let mut least = gap;
+            self.agents.below(gap, |one, other| {
+                let between = roster.outer[one] + roster.outer[other];
+                let (before, after) = (from[other] - from[one], to[other] - to[one]);
+                let mut found = nearest_on_way(&before, &after) - between;
+                if found < least && !(roster.is_ball(one) && roster.is_ball(other)) {
+                    let (one, other) = ((one, poses(one)), (other, poses(other)));
+                    let solids = [roster.solid(one.0), roster.solid(other.0)];
+                    found = solids[0].separation(&one.1, solids[1], &other.1).gap;
+                }
+                if found < least {
+                    least = found;
+                    best = Some(Closest {
+                        gap: found,
+                        agent: one,
+                        to: Touched::Agent(other),
+                        time,
+                    });
+                }
+            });
+            self.state.gaps.agents = best;
+            // Nobody is within reach yet: look farther, where there is anybody.
+            if best.is_some() || roster.len() < 2 || self.agents.reach() > f64::MAX / 4.0 {
+                return;
+            }
+            self.agents.widen();
+            self.agents.follow([to, to], &|_| 0.0, f64::INFINITY);
+        }
+    }
+
+    fn closest_walls(
+        &mut self,
+        to: &[Vector<D>],
+        obstacles: &[Obstacle<D>],
+        poses: &dyn Fn(usize) -> Pose<D>,
+        time: f64,
+    ) {
+        for agent in 0..self.roster.len() {
+            let gone = self.walls.gone(agent);
+            if gone <= self.clear[agent] {
+                continue;
+            }
+            let least = self.state.gaps.obstacles.map_or(f64::INFINITY, |it| it.gap);
+            // Somewhat farther than asked for, so that the answer serves for a while.
+            let reach = 2.0 * least.max(0.0) + self.roster.outer[agent];
+            let ball = self.walls.nearest(agent, &to[agent], obstacles, reach);
+            self.clear[agent] = gone + ball.unwrap_or(reach) - least.min(f64::MAX);
+            if ball.is_none_or(|gap| gap >= least) {
+                continue;
+            }
+            let solid = self.roster.solid(agent);
+            let pose = poses(agent);
+            let mut found = (least, usize::MAX);
+            for (k, obstacle) in obstacles.iter().enumerate() {
+                if obstacle.may_reach(&to[agent], found.0.min(f64::MAX) + self.roster.outer[agent])
+                {
+                    let exact = obstacle.gap(solid, &pose);
+                    if exact < found.0 {
+                        found = (exact, k);
+                    }
+                }
+            }
+            if found.1 < usize::MAX {
+                self.state.gaps.obstacles = Some(Closest {
+                    gap: found.0,
+                    agent,
+                    to: Touched::Obstacle(found.1),
+                    time,
+                });
+            }
+        }
+    }
+
+    /// Takes note of the gaps of touches, and of overlaps.
+    pub(crate) fn note(&mut self, touches: &[Touch<D>]) {
+        for touch in touches {
+            let (gap, size) = match touch.touched {
+                Touched::Agent(other) => {
+                    let sizes = (self.roster.size(touch.agent), self.roster.size(other));
+                    (&mut self.state.gaps.agents, sizes.0.min(sizes.1))
+                }
+                Touched::Obstacle(_) => (
+                    &mut self.state.gaps.obstacles,
+                    self.roster.size(touch.agent),
+                ),
+            };
+            if gap.is_none_or(|it| touch.gap < it.gap) {
+                *gap = Some(Closest {
+                    gap: touch.gap,
+                    agent: touch.agent,
+                    to: touch.touched,
+                    time: touch.time,
+                });
+            }
+            let overlap = -touch.gap / size;
+            self.state.strain.overlap = self.state.strain.overlap.max(overlap);
+        }
+    }
+
+    /// Takes note of how far bodies went in a step.
+    pub(crate) fn travel(&mut self, [from, to]: [&[Vector<D>]; 2]) {
+        let ways = from.iter().zip(to).zip(&self.roster.inner);
+        let squares = ways.map(|((from, to), inner)| (to - from).norm_squared() / (inner * inner));
+        let longest = squares.fold(0.0, f64::max).sqrt();
+        self.state.strain.travel = self.state.strain.travel.max(longest);
+    }
+}
+
+/// The least distance on the straight way from one place to another.
+fn nearest_on_way<const D: usize>(from: &Vector<D>, to: &Vector<D>) -> f64 {
+    let way = to - from;
+    let squared = way.norm_squared();
+    let share = match squared > 0.0 {
+        true => (-from.dot(&way) / squared).clamp(0.0, 1.0),
+        false => 1.0,
+    };
+    (from + way * share).norm().min(to.norm())
+}

@@ -1,0 +1,115 @@
+//! A step as the engine took it: the ways of all bodies and obstacles, before bounces.
+
+use super::way::{Way, rate_between};
+use crate::math::{Matrix, Vector};
+use crate::shape::{Obstacle, Pose};
+
+/// The step that the engine has just taken, in which it let bounce nothing.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Flight<'a, const D: usize> {
+    /// Time at its start, and its length.
+    pub(crate) begin: f64,
+    pub(crate) step: f64,
+    /// Positions at its start and end.
+    pub(crate) from: &'a [Vector<D>],
+    pub(crate) to: &'a [Vector<D>],
+    /// The engine's velocities at its end, and how long ago they were those of the bodies.
+    pub(crate) velocities: &'a [Vector<D>],
+    pub(crate) lag: f64,
+    /// The accelerations of the step; nothing where velocities do not change evenly.
+    pub(crate) accelerations: Option<&'a [Vector<D>]>,
+    /// Whether each body was pressed against something by the engine.
+    pub(crate) pressed: &'a [bool],
+    /// Rotations at its start and end, and angular velocities at its end; nothing where nothing
+    /// turns.
+    pub(crate) turns: Option<(&'a [Matrix<D>], &'a [Matrix<D>], &'a [Vector<3>])>,
+    /// The obstacles where they are at its end, and where they stood at its start.
+    pub(crate) obstacles: &'a [Obstacle<D>],
+    pub(crate) stood: &'a [Pose<D>],
+}
+
+impl<const D: usize> Flight<'_, D> {
+    /// The way of an agent that bounces off nothing. A ball looks the same however it is turned,
+    /// so it is followed in its angular velocity alone.
+    pub(super) fn way(&self, agent: usize, ball: bool) -> Way<D> {
+        let (position, velocity) = (self.from[agent], self.velocities[agent]);
+        let (acceleration, velocity) = match self.accelerations {
+            Some(accelerations) if !self.pressed[agent] => {
+                let acceleration = accelerations[agent];
+                (
+                    acceleration,
+                    velocity - acceleration * (self.step - self.lag),
+                )
+            }
+            _ => (Vector::zeros(), (self.to[agent] - position) / self.step),
+        };
+        let (rotation, spin, turning) = match self.turns {
+            None => (Matrix::identity(), Vector::zeros(), Vector::zeros()),
+            Some((before, _, spins)) if ball => (before[agent], spins[agent], spins[agent]),
+            Some((before, after, spins)) => {
+                let turning = rate_between(&before[agent], &after[agent], self.step);
+                (before[agent], spins[agent], turning)
+            }
+        };
+        Way {
+            since: 0.0,
+            position,
+            velocity,
+            rotation,
+            acceleration,
+            spin,
+            turning,
+        }
+    }
+
+    /// The way of an obstacle.
+    pub(super) fn wall(&self, obstacle: usize) -> Way<D> {
+        let (from, to) = (&self.stood[obstacle], &self.obstacles[obstacle].pose);
+        let turning = rate_between(from.rotation(), to.rotation(), self.step);
+        Way {
+            since: 0.0,
+            position: from.translation,
+            velocity: (to.translation - from.translation) / self.step,
+            rotation: *from.rotation(),
+            acceleration: Vector::zeros(),
+            spin: turning,
+            turning,
+        }
+    }
+
+    /// How fast the surface of an obstacle moves at a point and a time of the step, by its motion
+    /// itself.
+    pub(super) fn surface(&self, obstacle: usize, point: &Vector<D>, time: f64) -> Vector<D> {
+        let obstacle = &self.obstacles[obstacle];
+        if obstacle.motion().is_none() {
+            return Vector::zeros();
+        }
+        let mut then = obstacle.clone();
+        then.move_to(self.begin + time);
+        then.twist()
+            .map_or(Vector::zeros(), |twist| twist.at(point))
+    }
+
+    /// How far the surface of each obstacle moved at most.
+    pub(super) fn moved(&self) -> Vec<f64> {
+        (0..self.obstacles.len())
+            .map(|k| {
+                if self.obstacles[k].motion().is_none() {
+                    return 0.0;
+                }
+                let way = self.wall(k);
+                let swing = way.turning.norm() * self.step;
+                let reach = match swing > 0.0 {
+                    true => self.obstacles[k].reach(),
+                    false => 0.0,
+                };
+                // Motions that swing to and fro may bend in the step as well.
+                let twist = self.obstacles[k].twist().map_or(Vector::zeros(), |twist| {
+                    twist.at(&self.obstacles[k].pose.translation)
+                });
+                let straight = way.velocity.norm().max(twist.norm()) * self.step;
+                2.0 * straight + swing * reach
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,215 @@
+//! When surfaces meet.
+//!
+//! Between convex bodies the plane through the nearest points of one, across the line to the
+//! other, separates them. So they cannot meet before their ways along that line have used the
+//! gap up: a step to that time is never too long (B. Mirtich, "Impulse-based dynamic simulation
+//! of rigid body systems", 1996, §2.3). Without turning the gap along a straight way is convex in
+//! time, the step is Newton's, and it converges quadratically. Two balls on straight ways
+//! have a closed form.
+
+use super::way::Way;
+use crate::math::Vector;
+use crate::shape::Separation;
+
+/// Steps that a search takes at most. One that is not over by then has found no meeting: what
+/// it leaves overlapping is found at the start of the next step.
+const STEPS: usize = 200;
+
+/// Parts of the rest of a step at which surfaces that slide along each other are looked at.
+const SLIDING: f64 = 16.0;
+
+/// Share of the size from which on a step is taken by the speed of the nearest points
+/// themselves; it may end too late, and the meeting is then between.
+const NEAR: f64 = 1e-2;
+
+/// Two bodies on their ways.
+pub(super) struct Pair<'a, const D: usize> {
+    /// Their ways.
+    pub(super) ways: [&'a Way<D>; 2],
+    /// Distance from each one's centre within which its surface lies, where it turns.
+    pub(super) reaches: [f64; 2],
+    /// Size of the smaller one.
+    pub(super) size: f64,
+}
+
+/// What surfaces that are no farther apart than rounding tells are taken for: touching.
+pub(super) fn tolerance<const D: usize>(size: f64, place: &Vector<D>) -> f64 {
+    4e-13 * size + 8.0 * f64::EPSILON * place.amax()
+}
+
+impl<const D: usize> Pair<'_, D> {
+    /// How much their surfaces approach each other at a time, where they are nearest.
+    pub(super) fn approach(&self, found: &Separation<D>, time: f64) -> f64 {
+        let [one, other] = self.ways;
+        let velocity = |way: &Way<D>, k: usize| match way.turns() {
+            true => way.velocity_of(&found.points[k], time),
+            false => way.velocity_at(time),
+        };
+        (velocity(one, 0) - velocity(other, 1)).dot(&found.normal)
+    }
+
+    /// The slowest approach that is told from none.
+    pub(super) fn least(&self, time: f64) -> f64 {
+        let speed = |way: &Way<D>, reach: f64| {
+            way.velocity_at(time).amax() + way.spin.amax() * reach.min(1e100)
+        };
+        let [one, other] = self.ways;
+        1e-13 * (speed(one, self.reaches[0]) + speed(other, self.reaches[1]))
+    }
+
+    /// The first time from `from` to `end` at which they touch and approach each other, and how
+    /// they stand then. Touches that `counts` refuses are passed over.
+    pub(super) fn meet(
+        &self,
+        from: f64,
+        end: f64,
+        separation: impl Fn(f64) -> Separation<D>,
+        counts: impl Fn(f64, &Separation<D>) -> bool,
+    ) -> Option<(f64, Separation<D>)> {
+        let [one, other] = self.ways;
+        let swing = |way: &Way<D>, reach: f64| match way.turns() {
+            true => way.turning.norm() * reach,
+            false => 0.0,
+        };
+        let swing = swing(one, self.reaches[0]) + swing(other, self.reaches[1]);
+        let acceleration = one.acceleration - other.acceleration;
+        let mut time = from;
+        let mut found = separation(time);
+        for _ in 0..STEPS {
+            let tolerance = tolerance(self.size, &found.points[0]);
+            let speed = (one.velocity_at(time) - other.velocity_at(time)).dot(&found.normal);
+            let pull = acceleration.dot(&found.normal);
+            let step = if found.gap <= tolerance {
+                let approach = self.approach(&found, time);
+                if approach > self.least(time) && counts(time, &found) {
+                    return Some((time, found));
+                }
+                if approach <= 0.0 && pull <= 0.0 && swing == 0.0 {
+                    return None;
+                }
+                (end - from) / SLIDING
+            } else {
+                let gap = found.gap - 0.5 * tolerance;
+                if swing > 0.0 && found.gap < NEAR * self.size {
+                    let newton = first_root(gap, self.approach(&found, time), pull);
+                    if let Some(sooner) = newton.filter(|step| time + step <= end) {
+                        let (there, then) =
+                            self.between(time, time + sooner, tolerance, &separation);
+                        (time, found) = (there, then);
+                        continue;
+                    }
+                }
+                first_root(gap, speed + swing, pull)?
+            };
+            // A step too short to be told from none must not be taken for ever.
+            time += step.max(f64::EPSILON * end);
+            if time > end {
+                return None;
+            }
+            found = separation(time);
+        }
+        None
+    }
+
+    /// A time after `from` and up to `to` at which the gap is not yet used up, or just is.
+    fn between(
+        &self,
+        from: f64,
+        to: f64,
+        tolerance: f64,
+        separation: &impl Fn(f64) -> Separation<D>,
+    ) -> (f64, Separation<D>) {
+        let found = separation(to);
+        if found.gap >= -tolerance {
+            return (to, found);
+        }
+        let (mut low, mut high) = (from, to);
+        while high - low > f64::EPSILON * high {
+            let middle = 0.5 * (low + high);
+            let found = separation(middle);
+            if found.gap.abs() <= tolerance {
+                return (middle, found);
+            }
+            match found.gap > 0.0 {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        (high, separation(high))
+    }
+}
+
+/// The first time at which a gap is used up by an approach that accelerates; nothing if never.
+fn first_root(gap: f64, speed: f64, pull: f64) -> Option<f64> {
+    // gap = speed t + pull t²/2
+    let root = speed * speed + 2.0 * pull * gap;
+    if root < 0.0 {
+        return None;
+    }
+    let sum = speed + root.sqrt();
+    (sum > 0.0).then(|| 2.0 * gap / sum)
+}
+
+/// The time from now after which two balls on straight ways touch, given the way from one to
+/// the other, the velocity of the one against the other, and the distance at which they
+/// touch; 0 where they touch already, nothing where they never do.
+pub(super) fn balls<const D: usize>(
+    apart: &Vector<D>,
+    velocity: &Vector<D>,
+    touching: f64,
+) -> Option<f64> {
+    let along = apart.dot(velocity);
+    if along <= 0.0 {
+        return None;
+    }
+    let distance = apart.norm();
+    let outside = (distance - touching) * (distance + touching);
+    if outside <= 0.0 {
+        return Some(0.0);
+    }
+    let squared = velocity.norm_squared();
+    // How far the one passes the other's centre by.
+    let miss = (apart - velocity * (along / squared)).norm();
+    if miss > touching {
+        return None;
+    }
+    let root = (squared * (touching - miss) * (touching + miss)).sqrt();
+    Some(outside / (along + root))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn balls_meet_as_on_paper() {
+        let apart = Vector::<2>::new(3.0, 4.0);
+        // Head-on: the gap of 5 − 1 at speed 2.
+        let time = balls(&apart, &(apart / 5.0 * 2.0), 1.0);
+        assert!((time.expect("they meet") - 2.0).abs() < 1e-15);
+        // Passing at a distance of 1.0000001, and 0.9999999.
+        let pass = |miss: f64| {
+            balls(
+                &Vector::<2>::new(7.0, miss),
+                &Vector::<2>::new(1.0, 0.0),
+                1.0,
+            )
+        };
+        assert_eq!(pass(1.000_000_1), None);
+        let expected = 7.0 - (1.0f64 - 0.999_999_9 * 0.999_999_9).sqrt();
+        assert!((pass(0.999_999_9).expect("they meet") - expected).abs() < 1e-9);
+        assert_eq!(balls(&apart, &-apart, 1.0), None);
+        assert_eq!(balls(&apart, &apart, 6.0), Some(0.0));
+    }
+
+    #[test]
+    fn a_gap_is_used_up_when_it_is() {
+        assert_eq!(first_root(2.0, 1.0, 0.0), Some(2.0));
+        assert_eq!(first_root(2.0, 0.0, 1.0), Some(2.0));
+        assert_eq!(first_root(2.0, -1.0, 0.0), None);
+        // Up against gravity, and not up to the ceiling.
+        assert_eq!(first_root(2.0, 1.0, -1.0), None);
+        let time = first_root(0.5, -1.0, 2.0).expect("it comes back");
+        assert!((-time + time * time - 0.5).abs() < 1e-15);
+    }
+}

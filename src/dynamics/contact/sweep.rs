@@ -1,0 +1,554 @@
+//! Bounces within a step, in the order in which they happen.
+//!
+//! All bodies are on the ways that the engine gave them. The pair that meets first is found, it
+//! and what it pushes bounce, they go on from there on other ways, and so on to the end of the
+//! step. A body that would come back within the step, pressed by what accelerates it, is at
+//! rest on what it touches instead: the rest of the step's acceleration is taken at once, and
+//! what approaches is stopped. From the next step on the engine holds it.
+
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap, HashMap};
+
+use super::blow::{Cluster, Spot, Struck};
+use super::flight::Flight;
+use super::meet::{Pair as Meeting, balls, tolerance};
+use super::near;
+use super::pair::{Other, Pair};
+use super::roster::Roster;
+use super::way::{Way, embed};
+use super::{Touch, Touched};
+use crate::math::{Matrix, Vector};
+use crate::shape::Separation;
+
+/// Meetings in a step, for each agent, after which bounces are no longer followed.
+const MEETINGS: usize = 200;
+
+/// A body that ends the step elsewhere than the engine put it.
+#[derive(Debug, Clone)]
+pub struct Change<const D: usize> {
+    pub agent: usize,
+    pub position: Vector<D>,
+    /// Velocity for the engine to go on with.
+    pub velocity: Vector<D>,
+    pub rotation: Matrix<D>,
+    pub spin: Vector<3>,
+    /// Whether it came to rest on something: its velocity is then that at the end of the step.
+    pub rests: bool,
+}
+
+/// A pair that will meet, unless something else comes first.
+struct Event {
+    time: f64,
+    pair: Pair,
+    /// How often the ways of the pair's agents had changed when this was foreseen.
+    stamp: u32,
+}
+
+impl PartialEq for Event {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Event {}
+
+impl PartialOrd for Event {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Event {
+    /// The greatest is the soonest.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let soonest = other.time.total_cmp(&self.time);
+        soonest.then(other.pair.cmp(&self.pair))
+    }
+}
+
+/// A step, swept for meetings.
+pub(super) struct Sweep<'a, const D: usize> {
+    roster: &'a Roster<D>,
+    flight: Flight<'a, D>,
+    agents: &'a mut near::Agents<D>,
+    walls: &'a mut near::Walls<D>,
+    /// The pairs that the engine held together in this step, in their order.
+    lasting: &'a [Pair],
+    /// The ways of obstacles, and the new ones of agents that bounced.
+    obstacles: Vec<Way<D>>,
+    changed: BTreeMap<usize, Way<D>>,
+    rests: BTreeSet<usize>,
+    stamps: HashMap<usize, u32>,
+    queue: BinaryHeap<Event>,
+    touches: BTreeMap<(usize, Touched), Touch<D>>,
+    unordered: bool,
+}
+
+/// What came of a step's meetings.
+pub(super) struct Swept<const D: usize> {
+    pub(super) changes: Vec<Change<D>>,
+    pub(super) touches: Vec<Touch<D>>,
+    pub(super) unordered: bool,
+}
+
+impl<'a, const D: usize> Sweep<'a, D> {
+    pub(super) fn new(
+        roster: &'a Roster<D>,
+        flight: Flight<'a, D>,
+        (agents, walls): (&'a mut near::Agents<D>, &'a mut near::Walls<D>),
+        lasting: &'a [Pair],
+    ) -> Self {
+        Self {
+            obstacles: (0..flight.obstacles.len())
+                .map(|k| flight.wall(k))
+                .collect(),
+            roster,
+            flight,
+            agents,
+            walls,
+            lasting,
+            changed: BTreeMap::new(),
+            rests: BTreeSet::new(),
+            stamps: HashMap::new(),
+            queue: BinaryHeap::new(),
+            touches: BTreeMap::new(),
+            unordered: false,
+        }
+    }
+
+    /// Follows all bounces of the step.
+    pub(super) fn run(mut self) -> Swept<D> {
+        let mut pairs = Vec::new();
+        self.agents
+            .below(0.0, |one, other| pairs.push(Pair::agents(one, other)));
+        self.walls.below(0.0, |agent, obstacle, part| {
+            pairs.push(Pair::wall(agent, obstacle, part));
+        });
+        for pair in pairs {
+            if self.lasting.binary_search(&pair).is_err() {
+                self.foresee(pair, 0.0);
+            }
+        }
+        let mut left = MEETINGS * self.roster.len();
+        while let Some(event) = self.queue.pop() {
+            if event.stamp != self.stamp(event.pair) {
+                continue;
+            }
+            if left == 0 {
+                self.unordered = true;
+                break;
+            }
+            left -= 1;
+            self.strike(event.pair, event.time);
+        }
+        let changes = self
+            .changed
+            .iter()
+            .map(|(&agent, way)| self.change(agent, way));
+        Swept {
+            changes: changes.collect(),
+            unordered: self.unordered,
+            touches: self.touches.into_values().collect(),
+        }
+    }
+
+    fn change(&self, agent: usize, way: &Way<D>) -> Change<D> {
+        let (flight, step) = (&self.flight, self.flight.step);
+        let planned = flight.way(agent, self.roster.is_ball(agent));
+        let rests = self.rests.contains(&agent);
+        let velocity = way.velocity_at(step);
+        Change {
+            agent,
+            position: way.position_at(step),
+            velocity: match rests {
+                true => velocity,
+                false => flight.velocities[agent] + (velocity - planned.velocity_at(step)),
+            },
+            rotation: way.rotation_at(step),
+            spin: way.spin,
+            rests,
+        }
+    }
+
+    /// How often the ways of a pair's agents changed so far.
+    fn stamp(&self, pair: Pair) -> u32 {
+        let of = |agent| self.stamps.get(&agent).copied().unwrap_or(0);
+        pair.members().map(of).sum()
+    }
+
+    fn way(&self, agent: usize) -> Way<D> {
+        match self.changed.get(&agent) {
+            Some(way) => way.clone(),
+            None => self.flight.way(agent, self.roster.is_ball(agent)),
+        }
+    }
+
+    /// Finds out when a pair meets, from a time on.
+    fn foresee(&mut self, pair: Pair, from: f64) {
+        if let Some(time) = self.meet(pair, from) {
+            let stamp = self.stamp(pair);
+            self.queue.push(Event { time, pair, stamp });
+        }
+    }
+
+    fn meet(&self, pair: Pair, from: f64) -> Option<f64> {
+        let (roster, end) = (self.roster, self.flight.step);
+        let agent = pair.agent as usize;
+        let one = self.way(agent);
+        let reach = |agent: usize| match roster.is_ball(agent) {
+            true => 0.0,
+            false => roster.outer[agent],
+        };
+        match pair.other {
+            Other::Agent(other) => {
+                let other_agent = other as usize;
+                let other = self.way(other_agent);
+                let round = roster.is_ball(agent) && roster.is_ball(other_agent);
+                if round && one.acceleration == other.acceleration {
+                    let apart = other.position_at(from) - one.position_at(from);
+                    let velocity = one.velocity_at(from) - other.velocity_at(from);
+                    let touching = roster.outer[agent] + roster.outer[other_agent];
+                    let time = from + balls(&apart, &velocity, touching)?;
+                    let least = 1e-13 * (one.velocity.amax() + other.velocity.amax());
+                    let there = apart - velocity * (time - from);
+                    let approach = velocity.dot(&there) / there.norm();
+                    return (time <= end && approach > least).then_some(time);
+                }
+                let meeting = Meeting {
+                    ways: [&one, &other],
+                    reaches: [reach(agent), reach(other_agent)],
+                    size: roster.size(agent).min(roster.size(other_agent)),
+                };
+                let found = meeting.meet(
+                    from,
+                    end,
+                    |t| self.stand(pair, [&one, &other], t),
+                    |_, _| true,
+                );
+                found.map(|(time, _)| time)
+            }
+            Other::Part(obstacle, _) => {
+                let obstacle = obstacle as usize;
+                let other = &self.obstacles[obstacle];
+                let meeting = Meeting {
+                    ways: [&one, other],
+                    reaches: [
+                        reach(agent),
+                        match other.turns() {
+                            true => self.flight.obstacles[obstacle].reach(),
+                            false => 0.0,
+                        },
+                    ],
+                    size: roster.size(agent),
+                };
+                let counts = |_: f64, found: &Separation<D>| self.is_exposed(pair, found);
+                let found = meeting.meet(from, end, |t| self.stand(pair, [&one, other], t), counts);
+                found.map(|(time, _)| time)
+            }
+        }
+    }
+
+    /// How a pair stands to each other on its ways at a time.
+    fn stand(&self, pair: Pair, ways: [&Way<D>; 2], time: f64) -> Separation<D> {
+        let [one, other] = ways.map(|way| way.pose_at(time));
+        let solid = self.roster.solid(pair.agent as usize);
+        match pair.other {
+            Other::Agent(agent) => {
+                solid.separation(&one, self.roster.solid(agent as usize), &other)
+            }
+            Other::Part(obstacle, part) => {
+                let part = &self.flight.obstacles[obstacle as usize].parts()[part as usize];
+                part.separation(&other, solid, &one)
+            }
+        }
+    }
+
+    /// Whether a touch is one of the wall that all parts form together.
+    fn is_exposed(&self, _pair: Pair, _found: &Separation<D>) -> bool {
+        true
+    }
+
+    /// Lets a pair that meets bounce, and what it pushes.
+    fn strike(&mut self, pair: Pair, time: f64) {
+        let mut struck = Strike {
+            sweep: self,
+            time,
+            agents: Vec::new(),
+            pairs: Vec::new(),
+            founds: Vec::new(),
+            known: BTreeSet::new(),
+        };
+        let mut cluster = Cluster::default();
+        struck.add(&mut cluster, pair, true);
+        cluster.bounce(|cluster, body| struck.ask(cluster, body));
+        let blows = struck.impulses(&cluster);
+        let rests = struck.rest(&mut cluster);
+        let (agents, pairs, founds) = (struck.agents, struck.pairs, struck.founds);
+        self.unordered |= cluster.unordered;
+        self.enter(time, (&pairs, &founds), &cluster, &blows);
+        for (body, &agent) in cluster.bodies.iter().zip(&agents) {
+            self.go_on(agent, time, body, rests.contains(&agent));
+        }
+    }
+
+    /// Sends a body on its new way, and looks whom it meets there.
+    fn go_on(&mut self, agent: usize, time: f64, body: &Struck<D>, rests: bool) {
+        let old = self.way(agent);
+        if !rests && old.velocity_at(time) == body.velocity && old.spin == body.spin {
+            return;
+        }
+        let mut way = old.from(time);
+        way.turning += body.spin - way.spin;
+        way.spin = body.spin;
+        way.velocity = body.velocity;
+        if rests {
+            way.acceleration = Vector::zeros();
+            self.rests.insert(agent);
+        }
+        let left = self.flight.step - time;
+        let aside = (way.velocity - old.velocity_at(time)).norm() * left
+            + 0.5 * (way.acceleration - old.acceleration).norm() * left * left;
+        let listed = self.agents.stray(agent, aside);
+        let walled = self.walls.stray(agent, aside);
+        self.changed.insert(agent, way);
+        *self.stamps.entry(agent).or_default() += 1;
+        if !listed || !walled {
+            self.agents.stray(agent, 0.0);
+        }
+        for pair in self.candidates(agent, !listed, !walled) {
+            self.foresee(pair, time);
+        }
+    }
+
+    /// The pairs of an agent that may meet in what is left of the step; those of all agents or of
+    /// all parts where its lists no longer serve.
+    fn candidates(&mut self, agent: usize, all_agents: bool, all_parts: bool) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        if all_agents {
+            let others = (0..self.roster.len()).filter(|&other| other != agent);
+            pairs.extend(others.map(|other| Pair::agents(agent, other)));
+        } else {
+            let mut others = Vec::new();
+            self.agents.of(agent, &mut others);
+            pairs.extend(others.into_iter().map(|other| Pair::agents(agent, other)));
+        }
+        if all_parts {
+            for (k, obstacle) in self.flight.obstacles.iter().enumerate() {
+                pairs.extend((0..obstacle.parts().len()).map(|part| Pair::wall(agent, k, part)));
+            }
+        } else {
+            self.walls.of(agent, f64::INFINITY, |obstacle, part| {
+                pairs.push(Pair::wall(agent, obstacle, part));
+            });
+        }
+        pairs
+    }
+
+    /// Enters what a blow did.
+    fn enter(
+        &mut self,
+        time: f64,
+        (pairs, founds): (&[Pair], &[Separation<D>]),
+        cluster: &Cluster<D>,
+        blows: &[f64],
+    ) {
+        for (k, pair) in pairs.iter().enumerate() {
+            let spots = cluster.spots.iter().filter(|spot| spot.pair == k);
+            let start = (0.0, 0.0, f64::NEG_INFINITY);
+            let (normal, friction, approach) =
+                spots.fold(start, |(normal, friction, speed), spot| {
+                    let normal = normal + spot.normal_impulse;
+                    (
+                        normal,
+                        friction + spot.friction_impulse,
+                        spot.approach.max(speed),
+                    )
+                });
+            if normal <= 0.0 {
+                continue;
+            }
+            let (agent, touched) = pair.touched();
+            let found = &founds[k];
+            let blow = blows[k];
+            let push_speed = match pair.other {
+                Other::Agent(_) => 0.0,
+                Other::Part(obstacle, _) => {
+                    let surface = self
+                        .flight
+                        .surface(obstacle as usize, &found.points[1], time);
+                    (-surface.dot(&found.normal)).max(0.0)
+                }
+            };
+            let position = self.way(agent).position_at(time);
+            let begin = self.flight.begin + time;
+            let touch = self
+                .touches
+                .entry((agent, touched))
+                .or_insert_with(|| Touch {
+                    agent,
+                    touched,
+                    time: begin,
+                    gap: found.gap,
+                    blow: 0.0,
+                    press: 0.0,
+                    friction: 0.0,
+                    approach_speed: approach,
+                    push_speed: 0.0,
+                    normal: found.normal,
+                    point: found.points[1],
+                    position,
+                });
+            touch.blow += blow;
+            touch.press += normal - blow;
+            touch.friction += friction;
+            touch.gap = touch.gap.min(found.gap);
+            touch.push_speed = touch.push_speed.max(push_speed);
+        }
+    }
+}
+
+/// What meets at one time, as it is found out.
+struct Strike<'s, 'a, const D: usize> {
+    sweep: &'s mut Sweep<'a, D>,
+    time: f64,
+    /// The agents of the cluster, in its order.
+    agents: Vec<usize>,
+    pairs: Vec<Pair>,
+    founds: Vec<Separation<D>>,
+    known: BTreeSet<Pair>,
+}
+
+impl<const D: usize> Strike<'_, '_, D> {
+    /// The place of an agent in the cluster.
+    fn body(&mut self, cluster: &mut Cluster<D>, agent: usize) -> usize {
+        if let Some(place) = self.agents.iter().position(|&it| it == agent) {
+            return place;
+        }
+        let roster = self.sweep.roster;
+        let way = self.sweep.way(agent);
+        cluster.bodies.push(Struck {
+            velocity: way.velocity_at(self.time),
+            spin: way.spin,
+            inverse_mass: roster.inverse_mass[agent],
+            inverse_inertia: roster.inverse_inertia(agent, &way.rotation_at(self.time)),
+        });
+        self.agents.push(agent);
+        self.agents.len() - 1
+    }
+
+    /// Adds the spots of a pair, where it touches.
+    fn add(&mut self, cluster: &mut Cluster<D>, pair: Pair, meets: bool) {
+        if self.known.contains(&pair) {
+            return;
+        }
+        let sweep = &*self.sweep;
+        let agent = pair.agent as usize;
+        let one = sweep.way(agent);
+        let (other, surfaces) = match pair.other {
+            Other::Agent(other) => {
+                let other = other as usize;
+                (sweep.way(other), sweep.roster.between(agent, other))
+            }
+            Other::Part(obstacle, _) => {
+                let obstacle = obstacle as usize;
+                (
+                    sweep.obstacles[obstacle].clone(),
+                    sweep.roster.against(agent, obstacle),
+                )
+            }
+        };
+        let found = sweep.stand(pair, [&one, &other], self.time);
+        let held = || sweep.lasting.binary_search(&pair).is_ok();
+        let size = pair
+            .members()
+            .map(|it| sweep.roster.size(it))
+            .fold(f64::INFINITY, f64::min);
+        let touching = found.gap <= 4.0 * tolerance(size, &found.points[0]) || held();
+        if !meets && !touching {
+            return;
+        }
+        if matches!(pair.other, Other::Part(..)) && !meets && !sweep.is_exposed(pair, &found) {
+            return;
+        }
+        let surface = match pair.other {
+            Other::Agent(_) => Vector::zeros(),
+            Other::Part(obstacle, _) => {
+                sweep
+                    .flight
+                    .surface(obstacle as usize, &found.points[1], self.time)
+            }
+        };
+        self.known.insert(pair);
+        let place = self.pairs.len();
+        self.pairs.push(pair);
+        self.founds.push(found);
+        let here = self.body(cluster, agent);
+        let there = match pair.other {
+            Other::Agent(other) => Some(self.body(cluster, other as usize)),
+            Other::Part(..) => None,
+        };
+        let middle = (found.points[0] + found.points[1]) * 0.5;
+        for spot in [middle] {
+            cluster.spots.push(Spot {
+                one: here,
+                other: there,
+                arms: [
+                    embed(&(spot - one.position_at(self.time))),
+                    embed(&(spot - other.position_at(self.time))),
+                ],
+                normal: found.normal,
+                surface,
+                restitution: surfaces.0,
+                friction: surfaces.1,
+                pair: place,
+                normal_impulse: 0.0,
+                friction_impulse: 0.0,
+                approach: f64::NEG_INFINITY,
+            });
+        }
+    }
+
+    /// Adds all that a body touches.
+    fn ask(&mut self, cluster: &mut Cluster<D>, body: usize) {
+        let agent = self.agents[body];
+        for pair in self.sweep.candidates(agent, false, false) {
+            self.add(cluster, pair, false);
+        }
+    }
+
+    /// The normal impulse of each pair so far.
+    fn impulses(&self, cluster: &Cluster<D>) -> Vec<f64> {
+        let mut sums = vec![0.0; self.pairs.len()];
+        for spot in &cluster.spots {
+            sums[spot.pair] += spot.normal_impulse;
+        }
+        sums
+    }
+
+    /// Puts to rest on each other what would come back within the step: gives the bodies the
+    /// speed that the rest of the step's acceleration brings, and stops what approaches.
+    fn rest(&mut self, cluster: &mut Cluster<D>) -> BTreeSet<usize> {
+        let left = self.sweep.flight.step - self.time;
+        let accelerations: Vec<Vector<D>> = self
+            .agents
+            .iter()
+            .map(|&agent| self.sweep.way(agent).acceleration)
+            .collect();
+        let mut rests = BTreeSet::new();
+        for (k, spot) in cluster.spots.iter().enumerate() {
+            let other = spot.other.map_or(Vector::zeros(), |it| accelerations[it]);
+            let pull = (accelerations[spot.one] - other).dot(&spot.normal);
+            if pull > 0.0 && 2.0 * cluster.separation(k) <= pull * left {
+                rests.insert(spot.one);
+                rests.extend(spot.other);
+            }
+        }
+        for &body in &rests {
+            cluster.bodies[body].velocity += accelerations[body] * left;
+        }
+        if !rests.is_empty() {
+            cluster.stop();
+        }
+        rests.into_iter().map(|body| self.agents[body]).collect()
+    }
+}
