@@ -9,12 +9,15 @@
 mod boxes;
 mod core;
 mod facet;
+mod hull;
 mod motion;
 mod obstacle;
 mod part;
 mod parts;
+mod polytope;
 mod pose;
 mod projection;
+mod separation;
 mod sight;
 mod solid;
 pub mod surface;
@@ -26,6 +29,7 @@ pub use obstacle::{Acting, Obstacle};
 pub use part::Part;
 pub use pose::Pose;
 pub use projection::Projection;
+pub use separation::Separation;
 pub use solid::Solid;
 
 use std::any::Any;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::math::Vector;
 use crate::shape::core::Core;
 use crate::shape::projection::Projection;
+use crate::shape::separation::{Figure, Separation};
 use crate::shape::{Geometry, In, Pose, Query, Shape, Solid};
 
 /// A convex piece of an obstacle, in the obstacle's frame. Copies share what was
@@ -17,6 +18,7 @@ pub struct Part<const D: usize> {
     pub pose: Option<Pose<D>>,
     query: Arc<dyn Query<D>>,
     core: Core<D>,
+    figure: Arc<Figure<D>>,
 }
 
 impl<const D: usize> Part<D>
@@ -28,7 +30,9 @@ where
     pub fn new(shape: Shape<D>, pose: Option<Pose<D>>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
         let core = Core::new(&shape, query.as_ref())?;
+        let figure = Arc::new(Figure::new(&shape)?);
         Some(Self {
+            figure,
             shape,
             pose,
             query: query.into(),
@@ -53,6 +57,13 @@ impl<const D: usize> Part<D> {
     /// The gap to a solid at `pose`, of a part of an obstacle that stands at `here`.
     pub(super) fn gap(&self, here: &Pose<D>, solid: &Solid<D>, pose: &Pose<D>) -> f64 {
         self.query.gap(&self.world_pose(here), solid.query(), pose)
+    }
+
+    /// How a solid at `at`, the first, stands to this part, the second, of an obstacle that
+    /// stands at `here`.
+    pub fn separation(&self, here: &Pose<D>, solid: &Solid<D>, at: &Pose<D>) -> Separation<D> {
+        let there = self.world_pose(here);
+        solid.figure().separation(at, &self.figure, &there)
     }
 
     /// Whether the segment between two points of the obstacle's frame meets the part.
