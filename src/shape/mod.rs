@@ -21,6 +21,7 @@ mod separation;
 mod sight;
 mod solid;
 pub mod surface;
+mod walls;
 
 pub(crate) use boxes::Boxes;
 pub use boxes::{Bounds, Reach};
@@ -31,6 +32,8 @@ pub use pose::Pose;
 pub use projection::Projection;
 pub use separation::Separation;
 pub use solid::Solid;
+#[allow(unused_imports, reason = "for those who look at contacts")]
+pub(crate) use walls::is_exposed;
 
 use std::any::Any;
 use std::fmt::Debug;

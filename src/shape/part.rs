@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::math::Vector;
 use crate::shape::core::Core;
 use crate::shape::projection::Projection;
-use crate::shape::separation::{Figure, Separation};
+use crate::shape::separation::{Figure, Foot, Separation};
 use crate::shape::{Geometry, In, Pose, Query, Shape, Solid};
 
 /// A convex piece of an obstacle, in the obstacle's frame. Copies share what was
@@ -64,6 +64,26 @@ impl<const D: usize> Part<D> {
     pub fn separation(&self, here: &Pose<D>, solid: &Solid<D>, at: &Pose<D>) -> Separation<D> {
         let there = self.world_pose(here);
         solid.figure().separation(at, &self.figure, &there)
+    }
+
+    /// The point of its surface nearest to a point of the obstacle's frame, to rounding.
+    pub(super) fn foot(&self, point: &Vector<D>) -> Foot<D> {
+        match &self.pose {
+            None => self.figure.foot(point),
+            Some(pose) => {
+                let foot = self.figure.foot(&pose.point_to_local(point));
+                Foot {
+                    point: pose.point_to_world(&foot.point),
+                    normal: pose.vector_to_world(&foot.normal),
+                    ..foot
+                }
+            }
+        }
+    }
+
+    /// How large it is, about.
+    pub(super) fn size(&self) -> f64 {
+        self.figure.size()
     }
 
     /// Whether the segment between two points of the obstacle's frame meets the part.

@@ -107,7 +107,7 @@ impl<const D: usize> Parts<D> {
     }
 
     /// The parts that may be at most `range` from a point, in their order.
-    fn near(&self, point: &Vector<D>, range: f64) -> Reached<'_, D> {
+    pub(super) fn near(&self, point: &Vector<D>, range: f64) -> Reached<'_, D> {
         let point = *point;
         self.boxes.reached(Reach::Around { point, range })
     }

@@ -141,6 +141,11 @@ impl<const D: usize> Polytope<D> {
         }
     }
 
+    /// Whether it has no inside.
+    pub(super) fn is_thin(&self) -> bool {
+        self.corners.len() <= D
+    }
+
     /// A corner.
     pub(super) fn at(&self, index: u32) -> Vector<D> {
         self.corners[index as usize]

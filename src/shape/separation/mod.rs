@@ -8,12 +8,14 @@
 
 mod pair;
 mod patch;
+mod point;
 mod simplex;
 
 use crate::math::Vector;
 use crate::shape::polytope::{Polytope, Stand};
 use crate::shape::{Pose, Shape};
 use pair::{Found, Pair};
+pub(super) use point::{Feature, Foot, foot};
 
 /// How a solid stands to something else.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +56,41 @@ impl<const D: usize> Figure<D> {
             _ => Core::Polytope(Polytope::new(shape)?),
         };
         Some(Self { core, radius })
+    }
+
+    /// The point of its surface nearest to a point of its frame.
+    pub(super) fn foot(&self, point: &Vector<D>) -> Foot<D> {
+        let foot = match &self.core {
+            Core::Polytope(it) => {
+                let foot = foot(it, &(point - it.middle));
+                Foot {
+                    point: it.middle + foot.point,
+                    ..foot
+                }
+            }
+            Core::HalfSpace(normal) => {
+                let distance = normal.dot(point);
+                Foot {
+                    distance,
+                    point: point - normal * distance,
+                    normal: *normal,
+                    on: Feature::Face(*normal),
+                }
+            }
+        };
+        Foot {
+            distance: foot.distance - self.radius,
+            point: foot.point + foot.normal * self.radius,
+            ..foot
+        }
+    }
+
+    /// The farthest of it from the middle of its core; 0 for a half-space.
+    pub(super) fn size(&self) -> f64 {
+        match &self.core {
+            Core::Polytope(it) => it.size + self.radius,
+            Core::HalfSpace(_) => 0.0,
+        }
     }
 
     /// How it stands to another.

@@ -1,9 +1,10 @@
 //! Two polytopes that stand to each other: how far apart, or how deep in each other.
 
 use super::patch;
+use super::point::corner_to;
 use super::simplex::{Corner, Simplex};
 use crate::math::{Vector, axis, direction};
-use crate::shape::polytope::{Edge, Polytope, Side, Stand, across, cross};
+use crate::shape::polytope::{Edge, Polytope, Stand, across, cross};
 
 /// Two polytopes, all told in the frame of the first, from its middle.
 pub(super) struct Pair<'a, const D: usize> {
@@ -273,7 +274,7 @@ pub(super) struct Chosen {
 }
 
 impl Chosen {
-    fn all() -> Self {
+    pub(super) fn all() -> Self {
         Self {
             list: [0; MOST],
             count: None,
@@ -313,14 +314,14 @@ impl Chosen {
         self.count == Some(1)
     }
 
-    fn has(&self, corners: &[u32]) -> bool {
+    pub(super) fn has(&self, corners: &[u32]) -> bool {
         match self.count {
             None => true,
             Some(count) => corners.iter().all(|it| self.list[..count].contains(it)),
         }
     }
 
-    fn each(&self, of: usize) -> impl Iterator<Item = u32> {
+    pub(super) fn each(&self, of: usize) -> impl Iterator<Item = u32> {
         let count = self.count.unwrap_or(of);
         (0..count).map(move |k| match self.count {
             None => k as u32,
@@ -366,7 +367,7 @@ impl Features {
                 &self.one,
                 &point,
                 rounding,
-                &mut |gap, normal, foot| {
+                &mut |gap, normal, foot, _| {
                     look(Found {
                         gap,
                         normal,
@@ -383,7 +384,7 @@ impl Features {
                 &self.other,
                 &point,
                 rounding,
-                &mut |gap, normal, foot| {
+                &mut |gap, normal, foot, _| {
                     look(Found {
                         gap,
                         normal: -stand.vector(&normal),
@@ -437,65 +438,5 @@ fn edges<const D: usize>(
         gap,
         normal,
         points,
-    })
-}
-
-/// Calls `look` with distance, normal and foot of a point on each feature of some corners on
-/// which it has one. The normal points to the point, which may be so far below a face.
-fn corner_to<const D: usize>(
-    of: &Polytope<D>,
-    chosen: &Chosen,
-    point: &Vector<D>,
-    rounding: f64,
-    look: &mut impl FnMut(f64, Vector<D>, Vector<D>),
-) {
-    for face in of.faces.iter().filter(|face| chosen.has(&face.corners)) {
-        let height = face.normal.dot(&(point - of.at(face.corners[0])));
-        if height < -rounding {
-            continue;
-        }
-        let foot = point - face.normal * height;
-        if within(of, face, &foot) {
-            look(height, face.normal, foot);
-        }
-    }
-    for edge in of.edges.iter().filter(|edge| chosen.has(&edge.ends)) {
-        let [from, to] = edge.ends.map(|i| of.at(i));
-        let at = (point - from).dot(&edge.along);
-        if at > 0.0 && at < (to - from).norm() {
-            let foot = from + edge.along * at;
-            let way = point - foot;
-            // Of what rounding leaves along the edge nothing may stay.
-            let way = way - edge.along * edge.along.dot(&way);
-            let gap = way.norm();
-            look(gap, out_of(&way, gap), foot);
-        }
-    }
-    for i in chosen.each(of.corners.len()) {
-        let corner = of.at(i);
-        let way = point - corner;
-        let gap = way.norm();
-        look(gap, out_of(&way, gap), corner);
-    }
-}
-
-fn out_of<const D: usize>(way: &Vector<D>, length: f64) -> Vector<D> {
-    match length > 0.0 {
-        true => direction(way),
-        false => axis(0),
-    }
-}
-
-/// Whether a point of a face's plane lies within the face.
-fn within<const D: usize>(of: &Polytope<D>, face: &Side<D>, foot: &Vector<D>) -> bool {
-    let count = face.corners.len();
-    let at = |k: usize| of.at(face.corners[k % count]);
-    if D == 2 {
-        let along = at(1) - at(0);
-        return (foot - at(0)).dot(&along) > 0.0 && (foot - at(1)).dot(&along) < 0.0;
-    }
-    (0..count).all(|k| {
-        let inward = cross(&face.normal, &(at(k + 1) - at(k)));
-        inward.dot(&(foot - at(k))) > 0.0
     })
 }
