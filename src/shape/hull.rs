@@ -2,6 +2,7 @@
 //! lying nearly on an edge or a face.
 
 use crate::math::Vector;
+use crate::shape::polytope::cross;
 
 /// The corners of a hull in the plane, by index, counterclockwise; points within edges are none.
 pub(super) fn corners<const D: usize>(points: &[Vector<D>]) -> Vec<usize> {
@@ -79,6 +80,18 @@ pub(super) fn triangles<const D: usize>(points: &[Vector<D>]) -> Vec<[usize; 3]>
         }
     }
     faces
+}
+
+/// The volume of the hull of some points in space.
+pub(super) fn volume<const D: usize>(points: &[Vector<D>]) -> f64 {
+    let Some(origin) = points.first() else {
+        return 0.0;
+    };
+    let sixfold = |[a, b, c]: [usize; 3]| {
+        let [a, b, c] = [a, b, c].map(|i| points[i] - origin);
+        cross(&a, &b).dot(&c)
+    };
+    triangles(points).into_iter().map(sixfold).sum::<f64>() / 6.0
 }
 
 /// Four points far from one plane.

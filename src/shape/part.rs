@@ -29,14 +29,13 @@ where
     /// about a thousandth as thick as it is wide.
     pub fn new(shape: Shape<D>, pose: Option<Pose<D>>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
-        let core = Core::new(&shape, query.as_ref())?;
-        let figure = Arc::new(Figure::new(&shape)?);
+        let figure = Figure::new(&shape)?;
         Some(Self {
-            figure,
+            core: Core::new(&shape),
             shape,
             pose,
             query: query.into(),
-            core,
+            figure: Arc::new(figure),
         })
     }
 }
@@ -44,13 +43,10 @@ where
 impl<const D: usize> Part<D> {
     /// Projects a point of the obstacle's frame.
     pub(super) fn project(&self, point: &Vector<D>) -> Projection<D> {
-        let query = self.query.as_ref();
+        let project = |at: &Vector<D>| self.core.project(at, &*self.query, &self.figure);
         match &self.pose {
-            None => self.core.project(point, query),
-            Some(pose) => self
-                .core
-                .project(&pose.point_to_local(point), query)
-                .to_world(pose),
+            None => project(point),
+            Some(pose) => project(&pose.point_to_local(point)).to_world(pose),
         }
     }
 
@@ -108,7 +104,11 @@ impl<const D: usize> Part<D> {
     /// Lowest and highest corner of the bounding box, of a part of an obstacle that
     /// stands at `pose`.
     pub(super) fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>) {
-        self.query.bounds(&self.world_pose(pose))
+        let pose = self.world_pose(pose);
+        match self.shape {
+            Shape::Convex { .. } => self.figure.bounds(&pose),
+            _ => self.query.bounds(&pose),
+        }
     }
 
     /// The centroid, in the obstacle's frame; `None` for what has none inside it:

@@ -97,14 +97,16 @@ impl<const D: usize> Polytope<D> {
         let low = corners.iter().fold(corners[0], |low, it| low.inf(it));
         let high = corners.iter().fold(corners[0], |high, it| high.sup(it));
         let middle = low * 0.5 + high * 0.5;
-        let corners: Vec<_> = corners.into_iter().map(|it| it - middle).collect();
+        // Directions are those between the corners as given: what is moved is rounded.
+        let given = corners;
+        let corners: Vec<_> = given.iter().map(|it| it - middle).collect();
         let size = corners.iter().map(|it| it.norm()).fold(0.0, f64::max);
-        let at = |i: u32| corners[i as usize];
+        let at = |i: u32| given[i as usize];
         let mut edges: Vec<Edge<D>> = Vec::new();
         let mut sides: Vec<Side<D>> = Vec::new();
         for face in faces {
             if D == 3 {
-                let normal = normal_of(&corners, &face);
+                let normal = normal_of(&given, &face);
                 for (k, &from) in face.iter().enumerate() {
                     let to = face[(k + 1) % face.len()];
                     // The neighbour has it the other way round.
@@ -188,15 +190,41 @@ pub(super) fn across<const D: usize>(along: &Vector<D>) -> Vector<D> {
     direction(&(basis - along * along.dot(&basis)))
 }
 
-/// The unit normal of a face in space, from the largest of the triangles of its corners.
+/// The unit normal of a face in space, right to rounding however thin the face is.
 fn normal_of<const D: usize>(corners: &[Vector<D>], face: &[u32]) -> Vector<D> {
-    let at = |k: usize| corners[face[k % face.len()] as usize];
-    let turned = (0..face.len()).map(|k| {
-        // From the corner between the two shorter sides rounding is least.
-        cross(&(at(k + 1) - at(k)), &(at(k + 2) - at(k + 1)))
-    });
-    let sum: Vector<D> = turned.sum();
-    direction(&sum)
+    let [a, b, c] = [0, 1, 2].map(|k| corners[face[k % face.len()] as usize]);
+    let entry = |k: usize| {
+        let (i, j) = ((k + 1) % D, (k + 2) % D);
+        let way = |to: &Vector<D>, axis: usize| Double::difference(to[axis], a[axis]);
+        let first = way(&b, i).times(&way(&c, j));
+        let second = way(&b, j).times(&way(&c, i));
+        first.less(&second)
+    };
+    direction(&Vector::from_fn(|k, _| entry(k)))
+}
+
+/// A number as the sum of two, of twice the digits.
+#[derive(Debug, Clone, Copy)]
+struct Double(f64, f64);
+
+impl Double {
+    /// The difference of two numbers, exactly.
+    fn difference(a: f64, b: f64) -> Self {
+        let sum = a - b;
+        let part = sum - a;
+        Self(sum, (a - (sum - part)) - (b + part))
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let product = self.0 * other.0;
+        let rest = self.0.mul_add(other.0, -product);
+        Self(product, rest + (self.0 * other.1 + self.1 * other.0))
+    }
+
+    fn less(&self, other: &Self) -> f64 {
+        let Self(high, low) = Self::difference(self.0, other.0);
+        high + (low + (self.1 - other.1))
+    }
 }
 
 /// The edges of a polygon.

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::math::{Matrix, Vector};
-use crate::shape::core::Core;
 use crate::shape::separation::{Figure, Separation};
 use crate::shape::{Geometry, In, Pose, Query, Shape};
 
@@ -26,8 +25,6 @@ where
     /// thousandth as thick as it is wide.
     pub fn new(shape: Shape<D>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
-        // Finds hulls that are too thin.
-        Core::new(&shape, query.as_ref())?;
         let figure = Figure::new(&shape)?;
         let (volume, inertia) = query.volume_and_inertia();
         Some(Self {

@@ -13,7 +13,7 @@ mod simplex;
 
 use crate::math::Vector;
 use crate::shape::polytope::{Polytope, Stand};
-use crate::shape::{Pose, Shape};
+use crate::shape::{Bounds, Pose, Shape};
 use pair::{Found, Pair};
 pub(super) use point::{Feature, Foot, foot};
 
@@ -83,6 +83,21 @@ impl<const D: usize> Figure<D> {
             point: foot.point + foot.normal * self.radius,
             ..foot
         }
+    }
+
+    /// Lowest and highest corner of its box where it stands so.
+    pub(super) fn bounds(&self, at: &Pose<D>) -> Bounds<D> {
+        let Core::Polytope(it) = &self.core else {
+            let far = Vector::repeat(f64::INFINITY);
+            return (-far, far);
+        };
+        let middle = at.point_to_world(&it.middle);
+        let corners = it.corners.iter().map(|corner| at.vector_to_world(corner));
+        let (low, high) = corners.fold((middle, middle), |(low, high), corner| {
+            (low.inf(&(middle + corner)), high.sup(&(middle + corner)))
+        });
+        let radius = Vector::repeat(self.radius);
+        (low - radius, high + radius)
     }
 
     /// The farthest of it from the middle of its core; 0 for a half-space.

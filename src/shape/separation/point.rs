@@ -70,8 +70,8 @@ pub(in crate::shape) fn foot<const D: usize>(of: &Polytope<D>, point: &Vector<D>
     );
     let best = best.expect("a polytope has corners");
     match highest {
-        // On the feature itself no way tells the normal.
-        Some((_, normal)) if best.distance == 0.0 => Foot { normal, ..best },
+        // So near that rounding tells the way, the face does.
+        Some((_, normal)) if best.distance <= 1e-13 * of.size => Foot { normal, ..best },
         _ => best,
     }
 }
@@ -104,7 +104,12 @@ pub(super) fn corner_to<const D: usize>(
             // Of what rounding leaves along the edge nothing may stay.
             let way = way - edge.along * edge.along.dot(&way);
             let gap = way.norm();
-            look(gap, out_of(&way, gap), foot, Feature::Edge(edge.along));
+            let on = match edge.normals {
+                // A seam within a face.
+                Some([m, n]) if (m - n).norm_squared() < 1e-18 => Feature::Face(m),
+                _ => Feature::Edge(edge.along),
+            };
+            look(gap, out_of(&way, gap), foot, on);
         }
     }
     for i in chosen.each(of.corners.len()) {
