@@ -29,6 +29,13 @@ pub enum Reach<const D: usize> {
         /// The distance.
         range: f64,
     },
+    /// Within a box.
+    Within {
+        /// Its lowest corner.
+        min: Vector<D>,
+        /// Its highest corner.
+        max: Vector<D>,
+    },
     /// On the way from a point to another.
     Along {
         /// The point.
@@ -65,6 +72,10 @@ impl<const D: usize> Reach<D> {
             Self::Around { point, range } => {
                 (0..D).all(|k| point[k] >= min[k] - range && point[k] <= max[k] + range)
             }
+            Self::Within {
+                min: low,
+                max: high,
+            } => (0..D).all(|k| high[k] >= min[k] && low[k] <= max[k]),
             Self::Along {
                 from,
                 inverse,

@@ -3,17 +3,20 @@
 use crate::math::{Matrix, Vector, axis, direction};
 use crate::shape::facet::Facet;
 use crate::shape::projection::Projection;
-use crate::shape::{Face, Query, Shape};
+use crate::shape::separation::{Feature, Figure, Foot};
+use crate::shape::{Query, Shape};
 
 /// What a shape is a rounding of, in its own frame.
 #[derive(Debug, Clone)]
 pub(super) enum Core<const D: usize> {
     /// A point or a segment, with the radius about it.
     Thin { radius: f64, axis: Option<Axis<D>> },
-    /// Flat faces: a polytope or a half-space. A point this near to a face lies on it.
-    Flat { faces: Vec<Face<D>>, near: f64 },
+    /// A box about the origin, by half its sides.
+    Block(Vector<D>),
     /// A triangle in space.
     Facet(Facet<D>),
+    /// A polytope or a half-space: what its figure tells.
+    Figure,
 }
 
 /// The segment inside a capsule.
@@ -24,13 +27,9 @@ pub(super) struct Axis<const D: usize> {
     length: f64,
 }
 
-/// Share of a polytope's size within which a point counts as lying on a face: far
-/// above the error of the query, far below anything a law could notice.
-const ON_FACE: f64 = 1e-8;
-
 impl<const D: usize> Core<D> {
-    /// The core of a shape; `None` where no solid can be made of it.
-    pub(super) fn new(shape: &Shape<D>, query: &dyn Query<D>) -> Option<Self> {
+    /// The core of a shape.
+    pub(super) fn new(shape: &Shape<D>) -> Self {
         let segment = |from: &Vector<D>, to: &Vector<D>, radius: f64| Self::Thin {
             radius,
             axis: Some(Axis {
@@ -39,99 +38,84 @@ impl<const D: usize> Core<D> {
                 length: (to - from).norm(),
             }),
         };
-        Some(match shape {
+        match shape {
             Shape::Ball { radius } => Self::Thin {
                 radius: *radius,
                 axis: None,
             },
             Shape::Capsule { from, to, radius } => segment(from, to, *radius),
             Shape::Segment { from, to } => segment(from, to, 0.0),
-            Shape::Cuboid { half_extents } => Self::Flat {
-                faces: query.faces(),
-                near: ON_FACE * half_extents.norm(),
-            },
-            Shape::HalfSpace { .. } => Self::Flat {
-                faces: query.faces(),
-                near: ON_FACE,
-            },
-            Shape::Convex { points } => hull(points, query.faces())?,
-            Shape::Triangle { points } if D == 2 => hull(points, query.faces())?,
-            Shape::Triangle { points } => Self::Facet(Facet::new(*points)),
-        })
+            Shape::Cuboid { half_extents } => Self::Block(*half_extents),
+            Shape::Triangle { points } if D == 3 => Self::Facet(Facet::new(*points)),
+            Shape::HalfSpace { .. } | Shape::Convex { .. } | Shape::Triangle { .. } => Self::Figure,
+        }
     }
 
     /// Projects a point of the shape's frame.
-    pub(super) fn project(&self, q: &Vector<D>, query: &dyn Query<D>) -> Projection<D> {
+    pub(super) fn project(
+        &self,
+        q: &Vector<D>,
+        query: &dyn Query<D>,
+        figure: &Figure<D>,
+    ) -> Projection<D> {
         match self {
             Self::Thin { radius, axis } => thin(q, &query.closest(q), *radius, axis.as_ref()),
-            Self::Flat { faces, near } => flat(q, query, faces, *near),
+            Self::Block(half) => block(q, half),
             Self::Facet(facet) => facet.project(q),
+            Self::Figure => flat(figure.foot(q)),
         }
     }
 }
 
-/// The edges of a triangle in the plane, given by its first two coordinates.
-pub(super) fn triangle_faces<const D: usize>(corners: &[Vector<D>; 3]) -> Vec<Face<D>> {
-    (0..3)
-        .map(|k| {
-            let (from, to) = (corners[k], corners[(k + 1) % 3]);
-            let along = direction(&(to - from));
-            let mut normal = Vector::<D>::zeros();
-            normal[0] = along[1];
-            normal[1] = -along[0];
-            // Away from the corner across, whichever way round the triangle is given.
-            if normal.dot(&(corners[(k + 2) % 3] - from)) > 0.0 {
-                normal = -normal;
-            }
-            Face {
-                normal,
-                offset: normal.dot(&from),
-            }
-        })
-        .collect()
+/// Projection onto a polytope, by the nearest point of it.
+fn flat<const D: usize>(foot: Foot<D>) -> Projection<D> {
+    Projection {
+        point: foot.point,
+        normal: foot.normal,
+        // Added, for a distance of −0 would puzzle whoever reads it.
+        distance: foot.distance + 0.0,
+        core_map: match foot.on {
+            Feature::Face(normal) => Matrix::identity() - normal * normal.transpose(),
+            Feature::Edge(along) => along * along.transpose(),
+            Feature::Corner => Matrix::zeros(),
+        },
+        stretch: 0.0,
+        carried: None,
+    }
 }
 
-fn flat<const D: usize>(
-    q: &Vector<D>,
-    query: &dyn Query<D>,
-    faces: &[Face<D>],
-    near: f64,
-) -> Projection<D> {
-    let height = |face: &Face<D>| face.normal.dot(q) - face.offset;
-    let nearest = faces
-        .iter()
-        .max_by(|a, b| height(a).total_cmp(&height(b)))
-        .expect("checked when the obstacle was made");
-    if height(nearest) <= near {
-        // Inside, or on the surface: the nearest face, as if it had no end.
-        return onto(q, std::slice::from_ref(&nearest), nearest.normal);
-    }
-    let closest = query.closest(q);
-    let mut touched: Vec<&Face<D>> = faces
-        .iter()
-        .filter(|face| (face.normal.dot(&closest) - face.offset).abs() <= near)
-        .collect();
-    if touched.is_empty() {
-        touched.push(nearest);
-    }
-    onto(q, &touched, nearest.normal)
-}
-
-/// The core of a hull; `None` where the query made something flat of it, which it does with
-/// thin ones: a polytope has more faces than dimensions, and all points behind each.
-fn hull<const D: usize>(points: &[Vector<D>], faces: Vec<Face<D>>) -> Option<Core<D>> {
-    let first = points.first()?;
-    let largest = |size: fn(&Vector<D>, &Vector<D>) -> f64| {
-        points.iter().map(|p| size(p, first)).fold(0.0, f64::max)
+/// Projection onto a box.
+fn block<const D: usize>(q: &Vector<D>, half: &Vector<D>) -> Projection<D> {
+    let outside = q.abs() - half;
+    let side = outside.imax();
+    let mut point = *q;
+    let mut core_map = Matrix::identity();
+    // From inside, and on the surface: the nearest face.
+    let leaves = |k: usize| match outside[side] > 0.0 {
+        true => outside[k] > 0.0,
+        false => k == side,
     };
-    let spread = largest(|p, first| (p - first).norm());
-    // Far from the origin, rounding outgrows the share of the size.
-    let near = ON_FACE * spread + 16.0 * f64::EPSILON * largest(|p, _| p.norm());
-    let behind = |face: &Face<D>| {
-        let height = |p: &Vector<D>| face.normal.dot(p) - face.offset;
-        points.iter().all(|p| height(p) <= 100.0 * near)
-    };
-    (faces.len() > D && faces.iter().all(behind)).then_some(Core::Flat { faces, near })
+    for k in (0..D).filter(|&k| leaves(k)) {
+        point[k] = half[k].copysign(q[k]);
+        core_map[(k, k)] = 0.0;
+    }
+    let out: Vector<D> = axis(side) * 1f64.copysign(q[side]);
+    let offset = q - point;
+    let reach = offset.norm();
+    // So near to the surface that rounding tells the way, the face does.
+    let sharp = reach > 1e-13 * half.norm() && outside[side] > 0.0;
+    Projection {
+        point,
+        normal: if sharp { offset / reach } else { out },
+        distance: if outside[side] > 0.0 {
+            reach
+        } else {
+            0.0 - reach
+        },
+        core_map,
+        stretch: 0.0,
+        carried: None,
+    }
 }
 
 /// Projection onto a rounded point or segment, `core` being the point of it nearest to `q`.
@@ -168,41 +152,6 @@ fn thin<const D: usize>(
         // At the core itself the map has no derivative: the agent's own motion
         // tells nothing about where the surface point goes.
         stretch: if reach > 0.0 { radius / reach } else { 0.0 },
-        carried: None,
-    }
-}
-
-/// Projection onto the intersection of some faces' planes, which is the feature of
-/// the polytope (face, edge or vertex) that a query found. `fallback` is the normal
-/// to use on the feature itself.
-fn onto<const D: usize>(q: &Vector<D>, faces: &[&Face<D>], fallback: Vector<D>) -> Projection<D> {
-    let mut core_map = Matrix::identity();
-    let mut point = *q;
-    for face in faces {
-        // Step within the planes already met, so that they stay met.
-        let step = core_map * face.normal;
-        let length = step.norm_squared();
-        if length > 1e-12 {
-            point -= step * ((face.normal.dot(&point) - face.offset) / length);
-            core_map -= step * step.transpose() / length;
-        }
-    }
-    let offset = q - point;
-    let reach = offset.norm();
-    let outside = offset.dot(&fallback) > 0.0;
-    let single = faces.len() == 1;
-    let normal = if single || reach == 0.0 {
-        fallback
-    } else {
-        offset / reach
-    };
-    Projection {
-        point,
-        normal,
-        // Subtracted, for a distance of −0 would puzzle whoever reads it.
-        distance: if outside { reach } else { 0.0 - reach },
-        core_map,
-        stretch: 0.0,
         carried: None,
     }
 }

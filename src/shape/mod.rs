@@ -9,15 +9,19 @@
 mod boxes;
 mod core;
 mod facet;
+mod hull;
 mod motion;
 mod obstacle;
 mod part;
 mod parts;
+mod polytope;
 mod pose;
 mod projection;
+mod separation;
 mod sight;
 mod solid;
 pub mod surface;
+mod walls;
 
 pub(crate) use boxes::Boxes;
 pub use boxes::{Bounds, Reach};
@@ -26,7 +30,10 @@ pub use obstacle::{Acting, Obstacle};
 pub use part::Part;
 pub use pose::Pose;
 pub use projection::Projection;
+pub use separation::Separation;
 pub use solid::Solid;
+#[allow(unused_imports, reason = "for those who look at contacts")]
+pub(crate) use walls::is_exposed;
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -123,23 +130,12 @@ impl<const D: usize> Shape<D> {
     }
 }
 
-/// A flat face of a polytope: the solid lies where normal · x ≤ offset.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Face<const D: usize> {
-    /// Unit normal, pointing out.
-    pub normal: Vector<D>,
-    /// Distance of the face from the origin along the normal.
-    pub offset: f64,
-}
-
 /// What the shape code asks of parry, in the shape's own frame.
 pub trait Query<const D: usize>: Any + Debug + Send + Sync {
     /// The point of the solid core nearest to `point`; `point` itself inside.
     fn closest(&self, point: &Vector<D>) -> Vector<D>;
     /// Whether the segment between two points meets the solid.
     fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool;
-    /// The flat faces of the core; none for a point or a segment.
-    fn faces(&self) -> Vec<Face<D>>;
     /// The centroid; the origin for a half-space.
     fn centroid(&self) -> Vector<D>;
     /// Lowest and highest corner of the bounding box of the posed shape.
@@ -209,25 +205,12 @@ pub(crate) mod plane {
         bar * (l * l + r * r) / 3.0 + disk * ends
     }
 
-    /// The edges of a polygon.
-    fn hull_faces(shape: &parry::shape::SharedShape) -> Vec<super::Face<D>> {
-        if let Some(triangle) = shape.as_triangle() {
-            let corners = [triangle.a, triangle.b, triangle.c];
-            let corners = corners.map(|corner| corner.to_array().into());
-            return super::core::triangle_faces(&corners);
-        }
-        let Some(polygon) = shape.as_convex_polygon() else {
-            return Vec::new();
-        };
-        polygon
-            .normals()
-            .iter()
-            .zip(polygon.points())
-            .map(|(normal, point)| super::Face {
-                normal: normal.to_array().into(),
-                offset: normal.dot(*point),
-            })
-            .collect()
+    /// The hull of some points, with all its corners: parry's own drops those where edges are
+    /// nearly in line.
+    fn hull(points: &[super::Vector<D>]) -> Option<parry::shape::SharedShape> {
+        let corners = super::hull::corners(points);
+        let corners = corners.into_iter().map(|i| <[f64; D]>::from(points[i]));
+        parry::shape::SharedShape::convex_polyline_unmodified(corners.map(Into::into).collect())
     }
 }
 
@@ -258,21 +241,17 @@ pub(crate) mod space {
         )
     }
 
-    /// The faces of a polyhedron.
-    fn hull_faces(shape: &parry::shape::SharedShape) -> Vec<super::Face<D>> {
-        let Some(polyhedron) = shape.as_convex_polyhedron() else {
-            return Vec::new();
-        };
-        polyhedron
-            .faces()
+    /// The hull of some points; `None` where parry makes something flat of it, which it does with
+    /// thin ones.
+    fn hull(points: &[super::Vector<D>]) -> Option<parry::shape::SharedShape> {
+        let all: Vec<_> = points
             .iter()
-            .map(|face| {
-                let vertex = polyhedron.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
-                super::Face {
-                    normal: face.normal.to_array().into(),
-                    offset: face.normal.dot(polyhedron.points()[vertex as usize]),
-                }
-            })
-            .collect()
+            .map(|it| <[f64; D]>::from(*it).into())
+            .collect();
+        let hull = parry::shape::SharedShape::convex_hull(&all)?;
+        let solid = hull.as_convex_polyhedron()?.faces().len() > D;
+        let volume = super::hull::volume(points);
+        let missing = (hull.mass_properties(1.0).mass() - volume).abs();
+        (solid && missing <= 0.01 * volume).then_some(hull)
     }
 }

@@ -207,6 +207,27 @@ impl<const D: usize> Obstacle<D> {
         self.parts.gap(&center, &self.pose, solid, pose)
     }
 
+    /// Calls `visit` with the index of each part that may come within a box, in their order; a few
+    /// that do not may be among them.
+    pub fn parts_near(&self, bounds: &Bounds<D>, visit: &mut dyn FnMut(usize)) {
+        let (min, max) = *bounds;
+        if !self.is_met(&Reach::Within { min, max }) {
+            return;
+        }
+        if self.parts.list.len() == 1 {
+            return visit(0);
+        }
+        let middle = self.pose.point_to_local(&(min * 0.5 + max * 0.5));
+        let half = (max - min) * 0.5;
+        let turned = self.pose.rotation().abs().tr_mul(&half);
+        // A hair wider, against rounding.
+        let coarse = self.pose.translation.abs() + min.abs().sup(&max.abs());
+        let half = turned * (1.0 + 1e-12) + Vector::repeat(coarse.sum() * 1e-14);
+        self.parts
+            .within_box((middle - half, middle + half))
+            .for_each(visit);
+    }
+
     /// The centre b_k of an obstacle of one part: the centroid. `None` for a half-space,
     /// for something thin, and for several parts, which have no centre that must lie in
     /// them.

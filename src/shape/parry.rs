@@ -8,9 +8,9 @@ use super::parry::math::{Pose as ParryPose, Vector as ParryVector};
 use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::parry::query::{self, Ray};
 use super::parry::shape::{Segment, SharedShape};
-use super::{D, hull_faces, inertia, parry, rotation};
+use super::{D, hull, inertia, parry, rotation};
 use crate::math::{Matrix, Vector};
-use crate::shape::{Bounds, Face, Geometry, In, Pose, Query, Reach, Shape, Tree};
+use crate::shape::{Bounds, Geometry, In, Pose, Query, Reach, Shape, Tree};
 
 /// A pose in parry's terms.
 pub(crate) fn pose(pose: &Pose<D>) -> ParryPose {
@@ -28,10 +28,7 @@ pub(crate) fn solid(shape: &Shape<D>) -> Option<SharedShape> {
             SharedShape::capsule(vector(from), vector(to), *radius)
         }
         Shape::HalfSpace { normal } => SharedShape::halfspace(vector(normal)),
-        Shape::Convex { points } => {
-            let points: Vec<_> = points.iter().map(vector).collect();
-            SharedShape::convex_hull(&points)?
-        }
+        Shape::Convex { points } => hull(points)?,
         Shape::Segment { from, to } => SharedShape::segment(vector(from), vector(to)),
         Shape::Triangle { points: [a, b, c] } => {
             SharedShape::triangle(vector(a), vector(b), vector(c))
@@ -151,26 +148,6 @@ impl Query<D> for ParryQuery {
     fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool {
         let ray = Ray::new(vector(from), vector(&(to - from)));
         self.solid.cast_local_ray(&ray, 1.0, true).is_some()
-    }
-
-    fn faces(&self) -> Vec<Face<D>> {
-        if let Some(cuboid) = self.solid.as_cuboid() {
-            let half: Vector<D> = cuboid.half_extents.to_array().into();
-            let along = |axis: usize, sign: f64| Face {
-                normal: Vector::<D>::ith(axis, sign),
-                offset: half[axis],
-            };
-            (0..D)
-                .flat_map(|axis| [along(axis, -1.0), along(axis, 1.0)])
-                .collect()
-        } else if let Some(half_space) = self.solid.as_halfspace() {
-            vec![Face {
-                normal: half_space.normal.to_array().into(),
-                offset: 0.0,
-            }]
-        } else {
-            hull_faces(&self.solid)
-        }
     }
 
     fn centroid(&self) -> Vector<D> {

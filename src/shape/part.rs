@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::math::Vector;
 use crate::shape::core::Core;
 use crate::shape::projection::Projection;
+use crate::shape::separation::{Figure, Foot, Separation};
 use crate::shape::{Geometry, In, Pose, Query, Shape, Solid};
 
 /// A convex piece of an obstacle, in the obstacle's frame. Copies share what was
@@ -17,6 +18,7 @@ pub struct Part<const D: usize> {
     pub pose: Option<Pose<D>>,
     query: Arc<dyn Query<D>>,
     core: Core<D>,
+    figure: Arc<Figure<D>>,
 }
 
 impl<const D: usize> Part<D>
@@ -27,12 +29,13 @@ where
     /// about a thousandth as thick as it is wide.
     pub fn new(shape: Shape<D>, pose: Option<Pose<D>>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
-        let core = Core::new(&shape, query.as_ref())?;
+        let figure = Figure::new(&shape)?;
         Some(Self {
+            core: Core::new(&shape),
             shape,
             pose,
             query: query.into(),
-            core,
+            figure: Arc::new(figure),
         })
     }
 }
@@ -40,19 +43,43 @@ where
 impl<const D: usize> Part<D> {
     /// Projects a point of the obstacle's frame.
     pub(super) fn project(&self, point: &Vector<D>) -> Projection<D> {
-        let query = self.query.as_ref();
+        let project = |at: &Vector<D>| self.core.project(at, &*self.query, &self.figure);
         match &self.pose {
-            None => self.core.project(point, query),
-            Some(pose) => self
-                .core
-                .project(&pose.point_to_local(point), query)
-                .to_world(pose),
+            None => project(point),
+            Some(pose) => project(&pose.point_to_local(point)).to_world(pose),
         }
     }
 
     /// The gap to a solid at `pose`, of a part of an obstacle that stands at `here`.
     pub(super) fn gap(&self, here: &Pose<D>, solid: &Solid<D>, pose: &Pose<D>) -> f64 {
         self.query.gap(&self.world_pose(here), solid.query(), pose)
+    }
+
+    /// How a solid at `at`, the first, stands to this part, the second, of an obstacle that
+    /// stands at `here`.
+    pub fn separation(&self, here: &Pose<D>, solid: &Solid<D>, at: &Pose<D>) -> Separation<D> {
+        let there = self.world_pose(here);
+        solid.figure().separation(at, &self.figure, &there)
+    }
+
+    /// The point of its surface nearest to a point of the obstacle's frame, to rounding.
+    pub(super) fn foot(&self, point: &Vector<D>) -> Foot<D> {
+        match &self.pose {
+            None => self.figure.foot(point),
+            Some(pose) => {
+                let foot = self.figure.foot(&pose.point_to_local(point));
+                Foot {
+                    point: pose.point_to_world(&foot.point),
+                    normal: pose.vector_to_world(&foot.normal),
+                    ..foot
+                }
+            }
+        }
+    }
+
+    /// How large it is, about.
+    pub(super) fn size(&self) -> f64 {
+        self.figure.size()
     }
 
     /// Whether the segment between two points of the obstacle's frame meets the part.
@@ -77,7 +104,11 @@ impl<const D: usize> Part<D> {
     /// Lowest and highest corner of the bounding box, of a part of an obstacle that
     /// stands at `pose`.
     pub(super) fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>) {
-        self.query.bounds(&self.world_pose(pose))
+        let pose = self.world_pose(pose);
+        match self.shape {
+            Shape::Convex { .. } => self.figure.bounds(&pose),
+            _ => self.query.bounds(&pose),
+        }
     }
 
     /// The centroid, in the obstacle's frame; `None` for what has none inside it:

@@ -101,8 +101,13 @@ impl<const D: usize> Parts<D> {
         projected.filter(move |(_, it)| it.distance <= range)
     }
 
+    /// The parts that may come within a box of their frame, in their order.
+    pub(super) fn within_box(&self, (min, max): Bounds<D>) -> Reached<'_, D> {
+        self.boxes.reached(Reach::Within { min, max })
+    }
+
     /// The parts that may be at most `range` from a point, in their order.
-    fn near(&self, point: &Vector<D>, range: f64) -> Reached<'_, D> {
+    pub(super) fn near(&self, point: &Vector<D>, range: f64) -> Reached<'_, D> {
         let point = *point;
         self.boxes.reached(Reach::Around { point, range })
     }

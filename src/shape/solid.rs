@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::math::{Matrix, Vector};
-use crate::shape::core::Core;
+use crate::shape::separation::{Figure, Separation};
 use crate::shape::{Geometry, In, Pose, Query, Shape};
 
 /// A convex solid that may stand anywhere. Copies share what was prepared for queries.
@@ -11,6 +11,7 @@ use crate::shape::{Geometry, In, Pose, Query, Shape};
 pub struct Solid<const D: usize> {
     shape: Shape<D>,
     query: Arc<dyn Query<D>>,
+    figure: Arc<Figure<D>>,
     radius: f64,
     volume: f64,
     inertia: Matrix<3>,
@@ -24,13 +25,13 @@ where
     /// thousandth as thick as it is wide.
     pub fn new(shape: Shape<D>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
-        // Finds hulls that are too thin.
-        Core::new(&shape, query.as_ref())?;
+        let figure = Figure::new(&shape)?;
         let (volume, inertia) = query.volume_and_inertia();
         Some(Self {
             radius: radius(&shape),
             shape,
             query: query.into(),
+            figure: Arc::new(figure),
             volume,
             inertia,
         })
@@ -83,10 +84,21 @@ impl<const D: usize> Solid<D> {
         self.query.gap(at, &*other.query, other_at)
     }
 
+    /// How it stands to another solid, where the two stand so. The gap is right to rounding of
+    /// their size and of the way between them, at any scale.
+    pub fn separation(&self, at: &Pose<D>, other: &Self, other_at: &Pose<D>) -> Separation<D> {
+        self.figure.separation(at, &other.figure, other_at)
+    }
+
     /// Whether the segment between two points meets it where it stands so.
     pub fn meets(&self, at: &Pose<D>, from: &Vector<D>, to: &Vector<D>) -> bool {
         self.query
             .meets(&at.point_to_local(from), &at.point_to_local(to))
+    }
+
+    /// What tells how it stands to others.
+    pub(super) fn figure(&self) -> &Figure<D> {
+        &self.figure
     }
 
     /// What answers its queries.
