@@ -82,6 +82,19 @@ impl<const D: usize> Part<D> {
         self.figure.size()
     }
 
+    /// As [`Solid::spots`], of a solid that touches this part of an obstacle which stands at
+    /// `here`.
+    pub fn spots(
+        &self,
+        here: &Pose<D>,
+        (solid, at): (&Solid<D>, &Pose<D>),
+        found: &Separation<D>,
+        visit: &mut dyn FnMut(Vector<D>),
+    ) {
+        let other = (&*self.figure, &self.world_pose(here));
+        solid.figure().spots(at, other, found, visit);
+    }
+
     /// Whether the segment between two points of the obstacle's frame meets the part.
     pub(super) fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool {
         match &self.pose {

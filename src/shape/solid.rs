@@ -90,6 +90,19 @@ impl<const D: usize> Solid<D> {
         self.figure.separation(at, &other.figure, other_at)
     }
 
+    /// Visits the corners of what its surface and another's share where they touch as `found`: one
+    /// point, or several where faces or edges lie flat on each other.
+    pub fn spots(
+        &self,
+        at: &Pose<D>,
+        (other, other_at): (&Self, &Pose<D>),
+        found: &Separation<D>,
+        visit: &mut dyn FnMut(Vector<D>),
+    ) {
+        let other = (other.figure(), other_at);
+        self.figure().spots(at, other, found, visit);
+    }
+
     /// Whether the segment between two points meets it where it stands so.
     pub fn meets(&self, at: &Pose<D>, from: &Vector<D>, to: &Vector<D>) -> bool {
         self.query

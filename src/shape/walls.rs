@@ -23,7 +23,6 @@ const TILT: f64 = 1e-9;
 /// body. Both must be what the part on its own allows; the point may be off the surface by a ten
 /// thousandth of `scale`, which is the size of the smaller of the body and the part. `boxes` are
 /// those about the obstacles.
-#[allow(dead_code, reason = "for those who look at contacts")]
 pub(crate) fn is_exposed<const D: usize>(
     obstacles: &[Obstacle<D>],
     boxes: &Boxes<D>,

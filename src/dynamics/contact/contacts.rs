@@ -10,7 +10,7 @@ use super::roster::Roster;
 use super::sweep::{Change, Sweep};
 use super::{Closest, Gaps, Strain, Touch, Touched};
 use crate::math::{Matrix, Vector};
-use crate::shape::{Geometry, In, Obstacle, Pose, Separation, Shape, Solid};
+use crate::shape::{Geometry, In, Obstacle, Pose, Separation, Shape, Solid, is_exposed};
 use crate::world::World;
 
 /// Share of a body's size up to which a pair that the engine holds may part and still be held;
@@ -193,7 +193,7 @@ impl<const D: usize> Contacts<D> {
         let pull = acceleration.dot(&found.normal);
         let known = self.state.lasting.binary_search(&pair).is_ok();
         if known && against.norm() * start.step <= HELD.1 * size {
-            return found.gap <= HELD.0 * size;
+            return found.gap <= HELD.0 * size && self.is_exposed(pair, &found, start);
         }
         if found.gap > 4.0 * tolerance(size, &found.points[0]) {
             return false;
@@ -202,7 +202,18 @@ impl<const D: usize> Contacts<D> {
         let least = 1e-13 * (pair.members().map(speed).sum::<f64>() + against.amax());
         let struck = approach > 2.0 * pull.max(0.0) * start.step + least;
         let parts = approach < -least && approach + 0.5 * pull * start.step < 0.0;
-        !struck && !parts
+        !struck && !parts && self.is_exposed(pair, &found, start)
+    }
+
+    /// Whether a touch is one of the wall that all parts form together.
+    fn is_exposed(&self, pair: Pair, found: &Separation<D>, start: &Start<'_, D>) -> bool {
+        let Other::Part(obstacle, part) = pair.other else {
+            return true;
+        };
+        let place = (obstacle as usize, part as usize);
+        let size = self.roster.size(pair.agent as usize);
+        let (point, normal) = (&found.points[1], -found.normal);
+        is_exposed(start.obstacles, &self.walls.boxes, place, point, &normal, size)
     }
 
     /// Follows the bounces of a step that the engine has taken. Appends what touched, and

@@ -18,7 +18,7 @@ use super::roster::Roster;
 use super::way::{Way, embed};
 use super::{Touch, Touched};
 use crate::math::{Matrix, Vector};
-use crate::shape::Separation;
+use crate::shape::{Separation, is_exposed};
 
 /// Meetings in a step, for each agent, after which bounces are no longer followed.
 const MEETINGS: usize = 200;
@@ -241,7 +241,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
                     ],
                     size: roster.size(agent),
                 };
-                let counts = |_: f64, found: &Separation<D>| self.is_exposed(pair, found);
+                let counts = |time: f64, found: &Separation<D>| self.is_exposed(pair, found, time);
                 let found = meeting.meet(from, end, |t| self.stand(pair, [&one, other], t), counts);
                 found.map(|(time, _)| time)
             }
@@ -263,9 +263,47 @@ impl<'a, const D: usize> Sweep<'a, D> {
         }
     }
 
+    /// Visits the spots where a pair touches.
+    fn spots(
+        &self,
+        pair: Pair,
+        ways: [&Way<D>; 2],
+        time: f64,
+        found: &Separation<D>,
+        visit: &mut dyn FnMut(Vector<D>),
+    ) {
+        let [one, other] = ways.map(|way| way.pose_at(time));
+        let solid = self.roster.solid(pair.agent as usize);
+        match pair.other {
+            Other::Agent(agent) => {
+                let other = (self.roster.solid(agent as usize), &other);
+                solid.spots(&one, other, found, visit);
+            }
+            Other::Part(obstacle, part) => {
+                let part = &self.flight.obstacles[obstacle as usize].parts()[part as usize];
+                part.spots(&other, (solid, &one), found, visit);
+            }
+        }
+    }
+
     /// Whether a touch is one of the wall that all parts form together.
-    fn is_exposed(&self, _pair: Pair, _found: &Separation<D>) -> bool {
-        true
+    fn is_exposed(&self, pair: Pair, found: &Separation<D>, time: f64) -> bool {
+        let Other::Part(obstacle, part) = pair.other else {
+            return true;
+        };
+        let (obstacle, part) = (obstacle as usize, part as usize);
+        let (mut point, mut normal) = (found.points[1], -found.normal);
+        let obstacles = self.flight.obstacles;
+        if obstacles[obstacle].motion().is_some() {
+            // Told where the obstacle is when the others are looked at: at the end of the step.
+            let then = self.obstacles[obstacle].pose_at(time);
+            let now = &obstacles[obstacle].pose;
+            point = now.point_to_world(&then.point_to_local(&point));
+            normal = now.vector_to_world(&then.vector_to_local(&normal));
+        }
+        let size = self.roster.size(pair.agent as usize);
+        let boxes = &self.walls.boxes;
+        is_exposed(obstacles, boxes, (obstacle, part), &point, &normal, size)
     }
 
     /// Lets a pair that meets bounce, and what it pushes.
@@ -467,17 +505,9 @@ impl<const D: usize> Strike<'_, '_, D> {
         if !meets && !touching {
             return;
         }
-        if matches!(pair.other, Other::Part(..)) && !meets && !sweep.is_exposed(pair, &found) {
+        if !meets && !sweep.is_exposed(pair, &found, self.time) {
             return;
         }
-        let surface = match pair.other {
-            Other::Agent(_) => Vector::zeros(),
-            Other::Part(obstacle, _) => {
-                sweep
-                    .flight
-                    .surface(obstacle as usize, &found.points[1], self.time)
-            }
-        };
         self.known.insert(pair);
         let place = self.pairs.len();
         self.pairs.push(pair);
@@ -487,17 +517,23 @@ impl<const D: usize> Strike<'_, '_, D> {
             Other::Agent(other) => Some(self.body(cluster, other as usize)),
             Other::Part(..) => None,
         };
-        let middle = (found.points[0] + found.points[1]) * 0.5;
-        for spot in [middle] {
+        let (flight, time) = (self.sweep.flight, self.time);
+        let surface = |obstacle, spot: &Vector<D>| flight.surface(obstacle, spot, time);
+        let (center, away) = (one.position_at(self.time), other.position_at(self.time));
+        // Half-way between the surfaces, which are apart by rounding, or overlap as what is
+        // held may.
+        let between = (found.points[1] - found.points[0]) * 0.5;
+        self.sweep.spots(pair, [&one, &other], time, &found, &mut |spot| {
+            let spot = spot + between;
             cluster.spots.push(Spot {
                 one: here,
                 other: there,
-                arms: [
-                    embed(&(spot - one.position_at(self.time))),
-                    embed(&(spot - other.position_at(self.time))),
-                ],
+                arms: [embed(&(spot - center)), embed(&(spot - away))],
                 normal: found.normal,
-                surface,
+                surface: match pair.other {
+                    Other::Agent(_) => Vector::zeros(),
+                    Other::Part(obstacle, _) => surface(obstacle as usize, &spot),
+                },
                 restitution: surfaces.0,
                 friction: surfaces.1,
                 pair: place,
@@ -505,7 +541,7 @@ impl<const D: usize> Strike<'_, '_, D> {
                 friction_impulse: 0.0,
                 approach: f64::NEG_INFINITY,
             });
-        }
+        });
     }
 
     /// Adds all that a body touches.

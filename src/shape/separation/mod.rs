@@ -139,6 +139,58 @@ impl<const D: usize> Figure<D> {
     }
 }
 
+impl<const D: usize> Figure<D> {
+    /// Visits the corners of what its surface and another's share where they touch with this
+    /// normal: one point, or several where faces or edges lie flat on each other. Its own
+    /// surface's points are told, in the world.
+    pub(super) fn spots(
+        &self,
+        at: &Pose<D>,
+        (other, other_at): (&Self, &Pose<D>),
+        found: &Separation<D>,
+        visit: &mut dyn FnMut(Vector<D>),
+    ) {
+        let (rounding, normal) = (found.normal * self.radius, found.normal);
+        let mut count = 0;
+        let mut tell = |point: Vector<D>| {
+            count += 1;
+            visit(point + rounding);
+        };
+        match (&self.core, &other.core) {
+            (Core::Polytope(one), Core::Polytope(two)) => {
+                let along = at.vector_to_local(&normal);
+                let pair = Pair::new(one, two, stand(one, at, two, other_at));
+                let world = |point: Vector<D>| at.point_to_world(&(one.middle + point));
+                patch::corners(&pair, &along, &mut |point| tell(world(point)));
+            }
+            (Core::Polytope(one), Core::HalfSpace(_)) => {
+                let along = at.vector_to_local(&normal);
+                let world = |point: Vector<D>| at.point_to_world(&(one.middle + point));
+                patch::farthest_corners(one, &along, &mut |point| tell(world(point)));
+            }
+            _ => {}
+        }
+        if count == 0 {
+            visit(found.points[0]);
+        }
+    }
+}
+
+/// How a polytope stands to another.
+fn stand<const D: usize>(
+    one: &Polytope<D>,
+    at: &Pose<D>,
+    other: &Polytope<D>,
+    other_at: &Pose<D>,
+) -> Stand<D> {
+    let middle = |of: &Polytope<D>, at: &Pose<D>| at.vector_to_world(&of.middle);
+    let way = (other_at.translation - at.translation) + (middle(other, other_at) - middle(one, at));
+    Stand {
+        turn: at.rotation().tr_mul(other_at.rotation()),
+        shift: at.vector_to_local(&way),
+    }
+}
+
 /// Two polytopes.
 fn between<const D: usize>(
     one: &Polytope<D>,
@@ -146,12 +198,7 @@ fn between<const D: usize>(
     other: &Polytope<D>,
     other_at: &Pose<D>,
 ) -> Separation<D> {
-    let middle = |of: &Polytope<D>, at: &Pose<D>| at.vector_to_world(&of.middle);
-    let way = (other_at.translation - at.translation) + (middle(other, other_at) - middle(one, at));
-    let stand = Stand {
-        turn: at.rotation().tr_mul(other_at.rotation()),
-        shift: at.vector_to_local(&way),
-    };
+    let stand = stand(one, at, other, other_at);
     let Found {
         gap,
         normal,

@@ -21,6 +21,30 @@ pub(super) fn middle<const D: usize>(
     if pair.one.corners.len() < 2 || pair.other.corners.len() < 2 {
         return None;
     }
+    let [u, v] = common(pair, normal)?.middle()?;
+    let [first, second] = plane(normal);
+    let (_, height) = pair.one.farthest(normal);
+    let point = first * u + second * v + normal * height;
+    Some([point, point + normal * gap])
+}
+
+/// The corners of what those features share, on the first; none unless both are more than
+/// corners.
+pub(super) fn corners<const D: usize>(
+    pair: &Pair<'_, D>,
+    normal: &Vector<D>,
+    visit: &mut dyn FnMut(Vector<D>),
+) {
+    let [first, second] = plane(normal);
+    let (_, height) = pair.one.farthest(normal);
+    let outline = common(pair, normal).unwrap_or_default();
+    for &[u, v] in outline.list() {
+        visit(first * u + second * v + normal * height);
+    }
+}
+
+/// What the features farthest along `normal`, and against it, share seen along it.
+fn common<const D: usize>(pair: &Pair<'_, D>, normal: &Vector<D>) -> Option<Outline> {
     let near = pair.features(normal, FLAT);
     if near.one.list().len() < 2 || near.other.list().len() < 2 {
         return None;
@@ -35,28 +59,46 @@ pub(super) fn middle<const D: usize>(
     for &j in near.other.list() {
         other.push(flat(&pair.stand.point(&pair.other.at(j))));
     }
-    let [u, v] = shared(one.hull(), other.hull())?;
-    let (_, height) = pair.one.farthest(normal);
-    let point = first * u + second * v + normal * height;
-    Some([point, point + normal * gap])
+    shared(one.hull(), other.hull())
 }
 
 /// The middle of the feature farthest along a direction.
 pub(super) fn farthest<const D: usize>(of: &Polytope<D>, along: &Vector<D>) -> Vector<D> {
     let (corner, height) = of.farthest(along);
+    let [first, second] = plane(along);
+    match feature(of, along).and_then(|outline| outline.middle()) {
+        Some([u, v]) => first * u + second * v + along * height,
+        None => of.at(corner),
+    }
+}
+
+/// The corners of the feature farthest along a direction.
+pub(super) fn farthest_corners<const D: usize>(
+    of: &Polytope<D>,
+    along: &Vector<D>,
+    visit: &mut dyn FnMut(Vector<D>),
+) {
+    let (corner, height) = of.farthest(along);
+    let [first, second] = plane(along);
+    match feature(of, along) {
+        None => visit(of.at(corner)),
+        Some(outline) => (outline.list().iter())
+            .for_each(|&[u, v]| visit(first * u + second * v + along * height)),
+    }
+}
+
+/// The feature farthest along a direction, seen along it; `None` where it is a corner.
+fn feature<const D: usize>(of: &Polytope<D>, along: &Vector<D>) -> Option<Outline> {
     let near = Chosen::farthest(of, along, FLAT * of.size);
     if near.list().len() < 2 {
-        return of.at(corner);
+        return None;
     }
     let [first, second] = plane(along);
     let mut outline = Outline::default();
     for &i in near.list() {
         outline.push([of.at(i).dot(&first), of.at(i).dot(&second)]);
     }
-    match outline.hull().middle() {
-        Some([u, v]) => first * u + second * v + along * height,
-        None => of.at(corner),
-    }
+    Some(outline.hull())
 }
 
 /// Unit vectors across a direction; in the plane the second is zero.
@@ -179,8 +221,8 @@ impl Outline {
     }
 }
 
-/// The middle of what two outlines share: polygons, or lines of two points.
-fn shared(one: Outline, other: Outline) -> Option<Point> {
+/// What two outlines share: polygons, or lines of two points.
+fn shared(one: Outline, other: Outline) -> Option<Outline> {
     match (one.count, other.count) {
         (0..=1, _) | (_, 0..=1) => None,
         (2, 2) => {
@@ -197,17 +239,20 @@ fn shared(one: Outline, other: Outline) -> Option<Point> {
             }
             let low = f64::max(0.0, at(p).min(at(q)));
             let high = f64::min(length, at(p).max(at(q)));
-            let middle = 0.5 * (low + high);
-            (low <= high).then(|| [a[0] + along[0] * middle, a[1] + along[1] * middle])
+            let at = |s: f64| [a[0] + along[0] * s, a[1] + along[1] * s];
+            let mut line = Outline::default();
+            line.push(at(low));
+            line.push(at(high));
+            (low <= high).then_some(line)
         }
         (2, _) => clipped(one, &other),
         _ => clipped(other, &one),
     }
 }
 
-fn clipped(mut what: Outline, by: &Outline) -> Option<Point> {
+fn clipped(mut what: Outline, by: &Outline) -> Option<Outline> {
     for k in 0..by.count {
         what = what.cut(by.points[k], by.points[(k + 1) % by.count]);
     }
-    what.middle()
+    (what.count > 0).then_some(what)
 }
