@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use volary::math::{Matrix, Vector, axis, direction};
-use volary::shape::{Geometry, In, Part, Pose, Separation, Shape, Solid};
+use volary::shape::{Acting, Geometry, In, Obstacle, Part, Pose, Separation, Shape, Solid};
 
 fn point<const D: usize>(x: [f64; 3]) -> Vector<D> {
     Vector::from_fn(|k, _| x[k])
@@ -337,34 +337,6 @@ proptest! {
     }
 }
 
-/// The same shape at another scale.
-fn scaled<const D: usize>(shape: &Shape<D>, by: f64) -> Shape<D> {
-    match shape.clone() {
-        Shape::Ball { radius } => Shape::Ball {
-            radius: radius * by,
-        },
-        Shape::Capsule { from, to, radius } => Shape::Capsule {
-            from: from * by,
-            to: to * by,
-            radius: radius * by,
-        },
-        Shape::Cuboid { half_extents } => Shape::Cuboid {
-            half_extents: half_extents * by,
-        },
-        Shape::Convex { points } => Shape::Convex {
-            points: points.iter().map(|p| p * by).collect(),
-        },
-        Shape::Segment { from, to } => Shape::Segment {
-            from: from * by,
-            to: to * by,
-        },
-        Shape::Triangle { points } => Shape::Triangle {
-            points: points.map(|p| p * by),
-        },
-        it @ Shape::HalfSpace { .. } => it,
-    }
-}
-
 fn keeps_its_bits<const D: usize>()
 where
     In<D>: Geometry<D>,
@@ -381,8 +353,8 @@ where
                 Pose::<D>::new(along * (reach * scale), [turned, 0.2, -turned])
             };
             let solve = |scale: f64| {
-                let one = Solid::new(scaled(first, scale)).expect("a solid");
-                let other = Solid::new(scaled(second, scale)).expect("a solid");
+                let one = Solid::new(first.scaled(scale)).expect("a solid");
+                let other = Solid::new(second.scaled(scale)).expect("a solid");
                 one.separation(&at(scale), &other, &there(scale))
             };
             let one = solve(1.0);
@@ -400,8 +372,52 @@ where
     }
 }
 
+/// Gaps and projections of obstacles at another scale.
+fn obstacles_keep_their_bits<const D: usize>()
+where
+    In<D>: Geometry<D>,
+{
+    let all = shapes::<D>();
+    let rod = &all[1];
+    let inner = |scale: f64| Pose::<D>::new(point([0.3, 0.4, -0.1]) * scale, [0.2, 0.0, 0.3]);
+    let at = |scale: f64| Pose::<D>::new(point([0.1, 0.2, -0.3]) * scale, [0.3, 0.1, 0.7]);
+    let obstacle = |first: usize, scale: f64| {
+        let part = |shape: &Shape<D>, pose| Part::new(shape.scaled(scale), pose).expect("a part");
+        let parts = vec![part(&all[first], None), part(&all[4], Some(inner(scale)))];
+        Obstacle::of_parts("O".into(), parts, Acting::Each, at(scale)).expect("an obstacle")
+    };
+    for first in 0..all.len() {
+        for k in 0..12 {
+            let turned = 0.53 * f64::from(k);
+            let along = point::<D>([turned.sin(), turned.cos(), 0.3]) * (0.3 * turned);
+            let solve = |scale: f64| {
+                let obstacle = obstacle(first, scale);
+                let there = Pose::<D>::new(along * scale, [turned, 0.2, -turned]);
+                let body = Solid::new(rod.scaled(scale)).expect("a solid");
+                let found = obstacle.project(&there.translation);
+                let velocity = found.velocity(&point([0.2, -0.3, 0.7]));
+                let gap = obstacle.gap(&body, &there) / scale;
+                let sight = obstacle.blocks(&there.translation, &(point([1.0, 1.0, 1.0]) * scale));
+                let numbers = (gap, found.distance / scale, sight);
+                (numbers, found.point / scale, found.normal, velocity)
+            };
+            let one = solve(1.0);
+            for power in -40..=30 {
+                assert_eq!(
+                    solve(2f64.powi(power)),
+                    one,
+                    "{:?} at 2^{power}",
+                    all[first]
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn another_scale_keeps_all_bits() {
+    obstacles_keep_their_bits::<2>();
+    obstacles_keep_their_bits::<3>();
     keeps_its_bits::<2>();
     keeps_its_bits::<3>();
 }
@@ -463,4 +479,43 @@ fn far_from_the_origin_only_the_way_between_counts() {
     let at = |x: f64| Pose::<2>::from_matrix([x, 1e6].into(), Matrix::<2>::identity());
     let found = square.separation(&at(2f64.powi(20)), &square, &at(2f64.powi(20) + 1.25));
     assert_eq!(found.gap, 0.25);
+}
+
+#[test]
+fn a_box_beside_a_long_turned_wall_is_beside_it() {
+    let cuboid = Shape::<2>::Cuboid {
+        half_extents: [0.5, 0.5].into(),
+    };
+    let cuboid = Solid::new(cuboid).expect("a solid");
+    for length in [1.0, 1e3, 1e5] {
+        for clear in [1e-9, 0.0, -1e-9] {
+            let turn = [0.0, 0.0, 0.5];
+            let wall = Shape::Segment {
+                from: axis::<2>(0) * -length,
+                to: axis::<2>(0) * length,
+            };
+            let here = Pose::<2>::new(Vector::zeros(), turn);
+            let wall = Obstacle::new("wall".into(), wall, here.clone()).expect("a wall");
+            let at = here.then(&Pose::new([0.3, 0.5 + clear].into(), [0.0; 3]));
+            let gap = wall.gap(&cuboid, &at);
+            assert!(
+                (gap - clear).abs() < 2e-16 * length + 1e-15,
+                "{length} {gap}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_tip_of_a_small_rod_has_a_gap() {
+    let rod = Shape::<2>::Capsule {
+        from: axis::<2>(0) * -1e-5,
+        to: axis::<2>(0) * 1e-5,
+        radius: 1e-6,
+    };
+    let rod = Solid::new(rod).expect("a solid");
+    let lying = Pose::<2>::new([-1.4e-5, 0.0].into(), [0.0; 3]);
+    let upright = Pose::<2>::new(Vector::zeros(), [0.0, 0.0, std::f64::consts::FRAC_PI_2]);
+    let gap = rod.gap(&lying, &rod, &upright);
+    assert!((gap - 2e-6).abs() < 1e-20, "{gap}");
 }

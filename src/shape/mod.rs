@@ -1,9 +1,9 @@
 //! Shapes of obstacles and bodies: closest points, their exact derivatives, bounds and gaps.
 //!
 //! A shape is a core (a point, a segment, a triangle in space, a convex polytope or a
-//! half-space) rounded by a radius. The closest point comes from a parry query on the
-//! core; what the query does not tell, the feature it landed on and with it the
-//! derivative of the closest-point map, is added here, once for both dimensions.
+//! half-space) rounded by a radius. What is nearest, to a point or to another shape, is found
+//! among the core's own corners, edges and faces, once for both dimensions, and with it the
+//! derivative of the closest-point map. Parry tells masses, boxes and lines of sight.
 //! An obstacle is made of one such shape or of many, its parts, and may move.
 
 mod boxes;
@@ -35,7 +35,6 @@ pub use solid::Solid;
 #[allow(unused_imports, reason = "for those who look at contacts")]
 pub(crate) use walls::is_exposed;
 
-use std::any::Any;
 use std::fmt::Debug;
 
 use crate::math::{Matrix, Vector};
@@ -131,7 +130,7 @@ impl<const D: usize> Shape<D> {
 }
 
 /// What the shape code asks of parry, in the shape's own frame.
-pub trait Query<const D: usize>: Any + Debug + Send + Sync {
+pub trait Query<const D: usize>: Debug + Send + Sync {
     /// The point of the solid core nearest to `point`; `point` itself inside.
     fn closest(&self, point: &Vector<D>) -> Vector<D>;
     /// Whether the segment between two points meets the solid.
@@ -140,9 +139,6 @@ pub trait Query<const D: usize>: Any + Debug + Send + Sync {
     fn centroid(&self) -> Vector<D>;
     /// Lowest and highest corner of the bounding box of the posed shape.
     fn bounds(&self, pose: &Pose<D>) -> (Vector<D>, Vector<D>);
-    /// The gap between the solid at `pose` and another, made for the same dimension, at
-    /// `other_pose`; negative by the depth of penetration where they overlap.
-    fn gap(&self, pose: &Pose<D>, other: &dyn Query<D>, other_pose: &Pose<D>) -> f64;
     /// Volume (area), and the inertia tensor about the centroid at density 1; in the plane
     /// only the tensor's last entry counts. Both 0 for a half-space.
     fn volume_and_inertia(&self) -> (f64, Matrix<3>);

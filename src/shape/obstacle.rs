@@ -156,11 +156,13 @@ impl<const D: usize> Obstacle<D> {
     pub fn nearest(&self, point: &Vector<D>) -> (usize, Projection<D>) {
         let local = self.pose.point_to_local(point);
         let (part, mut projection) = self.parts.nearest(&local);
+        let (min, max) = &self.bounds;
+        let no_gap = NO_GAP * (local.norm() + (max - min).norm());
         if let Some(outline) = &self.outline
-            && projection.distance <= NO_GAP * (1.0 + local.norm())
+            && projection.distance <= no_gap
         {
             let (_, edge) = outline.nearest(&local);
-            if edge.distance > NO_GAP * (1.0 + local.norm()) {
+            if edge.distance > no_gap {
                 projection = Projection {
                     normal: -edge.normal,
                     distance: -edge.distance,
@@ -302,6 +304,6 @@ impl<const D: usize> Boxes<D> {
     }
 }
 
-/// Share of its coordinates within which a point counts as lying on the edge between two
+/// Share of its coordinates and of the obstacle's size within which a point counts as lying on the edge between two
 /// parts: far above rounding, far below anything a law could notice.
 const NO_GAP: f64 = 1e-8;

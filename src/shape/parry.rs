@@ -1,12 +1,10 @@
 //! The adapter to parry, compiled once for each dimension (see `shape::plane` and
 //! `shape::space`, which say what `parry` and `D` are).
 
-use std::any::Any;
-
 use super::parry::bounding_volume::Aabb;
 use super::parry::math::{Pose as ParryPose, Vector as ParryVector};
 use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
-use super::parry::query::{self, Ray};
+use super::parry::query::Ray;
 use super::parry::shape::{Segment, SharedShape};
 use super::{D, hull, inertia, parry, rotation};
 use crate::math::{Matrix, Vector};
@@ -38,6 +36,8 @@ pub(crate) fn solid(shape: &Shape<D>) -> Option<SharedShape> {
 
 impl Geometry<D> for In<D> {
     fn query(shape: &Shape<D>) -> Option<Box<dyn Query<D>>> {
+        let scale = near_one(shape);
+        let shape = &shape.scaled(scale);
         let solid = solid(shape)?;
         let core = match shape {
             Shape::Capsule { from, to, .. } => {
@@ -46,16 +46,7 @@ impl Geometry<D> for In<D> {
             Shape::Ball { .. } => SharedShape::ball(0.0),
             _ => solid.clone(),
         };
-        let radius = match shape {
-            Shape::Ball { radius } | Shape::Capsule { radius, .. } => *radius,
-            _ => 0.0,
-        };
-        Some(Box::new(ParryQuery {
-            solid,
-            core,
-            thin: shape.is_thin() || matches!(shape, Shape::Ball { .. } | Shape::Capsule { .. }),
-            radius,
-        }))
+        Some(Box::new(ParryQuery { solid, core, scale }))
     }
 
     fn tree(boxes: &[Bounds<D>]) -> Box<dyn Tree<D>> {
@@ -120,15 +111,33 @@ impl Tree<D> for ParryTree {
     }
 }
 
-/// A solid and the core that it is a rounding of.
+/// The power of two that brings a shape's size near to 1. Parry compares lengths with numbers, so
+/// it is asked at that scale alone.
+fn near_one(shape: &Shape<D>) -> f64 {
+    let far = |points: &[Vector<D>]| points.iter().map(Vector::amax).fold(0.0, f64::max);
+    let size = match shape {
+        Shape::Ball { radius } => *radius,
+        Shape::Cuboid { half_extents } => half_extents.amax(),
+        Shape::Capsule { from, to, radius } => far(&[*from, *to]) + radius,
+        Shape::HalfSpace { .. } => 1.0,
+        Shape::Convex { points } => far(points),
+        Shape::Segment { from, to } => far(&[*from, *to]),
+        Shape::Triangle { points } => far(points),
+    };
+    // The exponent, which is exact at every power of two.
+    match size.is_normal() {
+        true => f64::from_bits((2046 - (size.to_bits() >> 52).clamp(1, 2045)) << 52),
+        false => 1.0,
+    }
+}
+
+/// A solid and the core that it is a rounding of, both at a scale of their own.
 #[derive(Clone)]
 struct ParryQuery {
     solid: SharedShape,
     core: SharedShape,
-    /// Whether the core is a point, a line or a facet.
-    thin: bool,
-    /// Radius of the rounding.
-    radius: f64,
+    /// What lengths are multiplied by.
+    scale: f64,
 }
 
 impl std::fmt::Debug for ParryQuery {
@@ -137,16 +146,26 @@ impl std::fmt::Debug for ParryQuery {
     }
 }
 
+impl ParryQuery {
+    fn length(&self, v: &Vector<D>) -> ParryVector {
+        vector(&(v * self.scale))
+    }
+
+    fn back(&self, v: ParryVector) -> Vector<D> {
+        Vector::<D>::from(v.to_array()) / self.scale
+    }
+}
+
 impl Query<D> for ParryQuery {
     fn closest(&self, point: &Vector<D>) -> Vector<D> {
         // Only the solid query: with `solid = false` parry's answers inside
         // convex hulls and at the centre of balls cannot be relied on.
-        let projection = self.core.project_local_point(vector(point), true);
-        projection.point.to_array().into()
+        let found = self.core.project_local_point(self.length(point), true);
+        self.back(found.point)
     }
 
     fn meets(&self, from: &Vector<D>, to: &Vector<D>) -> bool {
-        let ray = Ray::new(vector(from), vector(&(to - from)));
+        let ray = Ray::new(self.length(from), self.length(&(to - from)));
         self.solid.cast_local_ray(&ray, 1.0, true).is_some()
     }
 
@@ -154,7 +173,7 @@ impl Query<D> for ParryQuery {
         if self.solid.as_halfspace().is_some() {
             return Vector::zeros();
         }
-        self.solid.mass_properties(1.0).local_com.to_array().into()
+        self.back(self.solid.mass_properties(1.0).local_com)
     }
 
     fn bounds(&self, at: &Pose<D>) -> (Vector<D>, Vector<D>) {
@@ -164,52 +183,18 @@ impl Query<D> for ParryQuery {
                 Vector::repeat(f64::INFINITY),
             );
         }
-        let aabb = self.solid.compute_aabb(&pose(at));
-        (aabb.mins.to_array().into(), aabb.maxs.to_array().into())
-    }
-
-    fn gap(&self, at: &Pose<D>, other: &dyn Query<D>, other_at: &Pose<D>) -> f64 {
-        let other: &dyn Any = other;
-        let other: &Self = other
-            .downcast_ref()
-            .expect("one adapter for each dimension");
-        let (at, other_at) = (pose(at), pose(other_at));
-        // Distances of cores are exact where those of rounded shapes are iterated.
-        let cores = query::distance(&at, &*self.core, &other_at, &*other.core);
-        let cores = cores.map_or(f64::NAN, |found| found.distance);
-        if cores > 0.0 {
-            return cores - self.radius - other.radius;
-        }
-        let radii = self.radius + other.radius;
-        if self.thin && other.thin {
-            // Lines and facets that cross come apart by the sum of their radii at least.
-            return -radii;
-        }
-        // Where sides are parallel to the last digit the query may find nothing; it does
-        // a hair beside.
-        let size = self.solid.compute_local_aabb().half_extents().length();
-        let nudges = (0..=D).map(|k| match k.checked_sub(1) {
-            None => ParryVector::ZERO,
-            Some(axis) => vector(&crate::math::axis(axis)) * (1e-7 * size.min(1e30)),
-        });
-        let depth = |nudge: ParryVector| {
-            let there = ParryPose {
-                translation: other_at.translation + nudge,
-                ..other_at
-            };
-            let found = query::contact(&at, &*self.solid, &there, &*other.solid, 0.0);
-            found.ok().flatten().map(|found| found.dist)
-        };
-        let found = nudges.filter_map(depth).find(|dist| *dist < 0.0);
-        found.unwrap_or(-radii)
+        let at = at.at(at.translation * self.scale);
+        let aabb = self.solid.compute_aabb(&pose(&at));
+        (self.back(aabb.mins), self.back(aabb.maxs))
     }
 
     fn volume_and_inertia(&self) -> (f64, Matrix<3>) {
         if self.solid.as_halfspace().is_some() {
             return (0.0, Matrix::zeros());
         }
-        let volume = self.solid.mass_properties(1.0).mass();
-        (volume, inertia(&self.solid))
+        let volume = self.scale.powi(D as i32);
+        let inertia = inertia(&self.solid) / (volume * self.scale * self.scale);
+        (self.solid.mass_properties(1.0).mass() / volume, inertia)
     }
 }
 

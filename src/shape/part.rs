@@ -52,7 +52,8 @@ impl<const D: usize> Part<D> {
 
     /// The gap to a solid at `pose`, of a part of an obstacle that stands at `here`.
     pub(super) fn gap(&self, here: &Pose<D>, solid: &Solid<D>, pose: &Pose<D>) -> f64 {
-        self.query.gap(&self.world_pose(here), solid.query(), pose)
+        let there = self.world_pose(here);
+        solid.figure().gap(pose, &self.figure, &there)
     }
 
     /// How a solid at `at`, the first, stands to this part, the second, of an obstacle that

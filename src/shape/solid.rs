@@ -78,10 +78,10 @@ impl<const D: usize> Solid<D> {
     }
 
     /// The gap between its surface and another's where they stand so; negative by the depth
-    /// of penetration where they overlap. Two capsules in the plane are taken to overlap by no
-    /// more than the sum of their radii, the depth from which their middles cross.
+    /// of penetration where they overlap: how far the two must be moved apart. Lines that cross
+    /// in space are no deeper than the sum of their radii.
     pub fn gap(&self, at: &Pose<D>, other: &Self, other_at: &Pose<D>) -> f64 {
-        self.query.gap(at, &*other.query, other_at)
+        self.figure.gap(at, &other.figure, other_at)
     }
 
     /// How it stands to another solid, where the two stand so. The gap is right to rounding of
@@ -112,11 +112,6 @@ impl<const D: usize> Solid<D> {
     /// What tells how it stands to others.
     pub(super) fn figure(&self) -> &Figure<D> {
         &self.figure
-    }
-
-    /// What answers its queries.
-    pub(super) fn query(&self) -> &dyn Query<D> {
-        &*self.query
     }
 }
 

@@ -108,6 +108,11 @@ impl<const D: usize> Figure<D> {
         }
     }
 
+    /// The gap to another.
+    pub(super) fn gap(&self, at: &Pose<D>, other: &Self, other_at: &Pose<D>) -> f64 {
+        self.separation(at, other, other_at).gap
+    }
+
     /// How it stands to another.
     pub(super) fn separation(
         &self,
