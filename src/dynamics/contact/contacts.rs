@@ -213,7 +213,14 @@ impl<const D: usize> Contacts<D> {
         let place = (obstacle as usize, part as usize);
         let size = self.roster.size(pair.agent as usize);
         let (point, normal) = (&found.points[1], -found.normal);
-        is_exposed(start.obstacles, &self.walls.boxes, place, point, &normal, size)
+        is_exposed(
+            start.obstacles,
+            &self.walls.boxes,
+            place,
+            point,
+            &normal,
+            size,
+        )
     }
 
     /// Follows the bounces of a step that the engine has taken. Appends what touched, and

@@ -523,25 +523,26 @@ impl<const D: usize> Strike<'_, '_, D> {
         // Half-way between the surfaces, which are apart by rounding, or overlap as what is
         // held may.
         let between = (found.points[1] - found.points[0]) * 0.5;
-        self.sweep.spots(pair, [&one, &other], time, &found, &mut |spot| {
-            let spot = spot + between;
-            cluster.spots.push(Spot {
-                one: here,
-                other: there,
-                arms: [embed(&(spot - center)), embed(&(spot - away))],
-                normal: found.normal,
-                surface: match pair.other {
-                    Other::Agent(_) => Vector::zeros(),
-                    Other::Part(obstacle, _) => surface(obstacle as usize, &spot),
-                },
-                restitution: surfaces.0,
-                friction: surfaces.1,
-                pair: place,
-                normal_impulse: 0.0,
-                friction_impulse: 0.0,
-                approach: f64::NEG_INFINITY,
+        self.sweep
+            .spots(pair, [&one, &other], time, &found, &mut |spot| {
+                let spot = spot + between;
+                cluster.spots.push(Spot {
+                    one: here,
+                    other: there,
+                    arms: [embed(&(spot - center)), embed(&(spot - away))],
+                    normal: found.normal,
+                    surface: match pair.other {
+                        Other::Agent(_) => Vector::zeros(),
+                        Other::Part(obstacle, _) => surface(obstacle as usize, &spot),
+                    },
+                    restitution: surfaces.0,
+                    friction: surfaces.1,
+                    pair: place,
+                    normal_impulse: 0.0,
+                    friction_impulse: 0.0,
+                    approach: f64::NEG_INFINITY,
+                });
             });
-        });
     }
 
     /// Adds all that a body touches.
