@@ -367,7 +367,7 @@ impl Features {
                 &self.one,
                 &point,
                 rounding,
-                &mut |gap, normal, foot, _| {
+                &mut |gap, normal, foot| {
                     look(Found {
                         gap,
                         normal,
@@ -384,7 +384,7 @@ impl Features {
                 &self.other,
                 &point,
                 rounding,
-                &mut |gap, normal, foot, _| {
+                &mut |gap, normal, foot| {
                     look(Found {
                         gap,
                         normal: -stand.vector(&normal),
