@@ -2,7 +2,7 @@
 
 use super::pair::Chosen;
 use crate::math::{Vector, axis, direction};
-use crate::shape::polytope::{Edge, Polytope, Side, cross, right};
+use crate::shape::polytope::{Edge, Polytope, Side, across, cross, right};
 
 /// What the nearest point of a polytope lies on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,6 +76,8 @@ pub(in crate::shape) fn foot<const D: usize>(of: &Polytope<D>, point: &Vector<D>
         // So near that rounding tells the way, the face does.
         (on, Some((_, face))) if distance <= 1e-13 * of.size => (face.normal, on),
         (on, _) if distance > 0.0 => (direction(&way), on),
+        // On a line nothing tells a side.
+        (Feature::Edge(along), _) => (across(&along), nearest.on),
         (on, _) => (axis(0), on),
     };
     Foot {
