@@ -6,6 +6,7 @@
 
 use crate::dynamics::Snapshot;
 use crate::math::Vector;
+use crate::metric::classes::classes;
 use crate::metric::gap::{gap_to, pair_gap};
 use crate::sense::Cells;
 use crate::world::World;
@@ -56,21 +57,24 @@ fn overlapping_pairs<const D: usize>(
     radii: &[f64],
     exact: impl Fn(usize, usize, f64) -> f64,
 ) -> usize {
-    let widest = radii.iter().copied().fold(0.0, f64::max);
-    if widest == 0.0 {
-        return 0;
-    }
+    let classes = classes(positions, radii);
     let mut cells = Cells::default();
-    cells.rebuild(positions, 2.0 * widest);
     let mut pairs = 0;
-    for (i, position) in positions.iter().enumerate() {
-        cells.for_each_within(position, radii[i] + widest, |place, _, squared| {
-            let j = cells.order()[place] as usize;
-            let between_balls = squared.sqrt() - (radii[i] + radii[j]);
-            if i < j && between_balls < 0.0 {
-                pairs += usize::from(exact(i, j, between_balls) < 0.0);
-            }
-        });
+    for (k, large) in classes.iter().enumerate() {
+        if large.widest == 0.0 {
+            continue;
+        }
+        large.sort(&mut cells, 2.0 * large.widest);
+        // Small ones look for large ones, which are few about a place.
+        for small in &classes[..=k] {
+            let range = |i: usize| radii[i] + large.widest;
+            small.pairs(large, &cells, range, |i, j, squared| {
+                let between_balls = squared.sqrt() - (radii[i] + radii[j]);
+                if between_balls < 0.0 {
+                    pairs += usize::from(exact(i, j, between_balls) < 0.0);
+                }
+            });
+        }
     }
     pairs
 }

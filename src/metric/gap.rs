@@ -2,6 +2,7 @@
 
 use crate::dynamics::Snapshot;
 use crate::math::Vector;
+use crate::metric::classes::{Class, classes};
 use crate::sense::Cells;
 use crate::shape::{Obstacle, Pose, Solid};
 use crate::world::World;
@@ -79,34 +80,52 @@ fn smallest_gap<const D: usize>(
     if positions.len() < 2 {
         return None;
     }
-    let widest = radii.iter().copied().fold(0.0, f64::max);
-    let mut cells = Cells::default();
-    // A short range first, so that one far agent does not make neighbours of all others;
-    // doubled until a pair is found that none outside the range can beat.
     let spread = positions
         .iter()
         .fold(0.0, |far, p| f64::max(far, (p - positions[0]).norm()));
-    let mut range = f64::max(4.0 * widest, 1e-6 * spread);
-    loop {
-        cells.rebuild(positions, range);
-        let mut gap = f64::INFINITY;
-        for (i, position) in positions.iter().enumerate() {
-            cells.for_each_within(position, range, |place, _, squared| {
-                let j = cells.order()[place] as usize;
-                if i < j {
+    let classes = classes(positions, radii);
+    let mut cells = Cells::default();
+    let mut least = f64::INFINITY;
+    let mut search = |small: &Class<D>, large: &Class<D>| {
+        if std::ptr::eq(small, large) && small.len() < 2 {
+            return;
+        }
+        let both = small.widest + large.widest;
+        // A short range first, so that one far agent does not make neighbours of all others;
+        // doubled until a pair is known that none outside the range can beat.
+        let enough = |gap: f64| (both + gap) * (1.0 + 1e-12);
+        let mut range = f64::max(2.0 * both, 1e-6 * spread).min(enough(least));
+        while range > 0.0 {
+            large.sort(&mut cells, range);
+            let mut gap = least;
+            small.pairs(
+                large,
+                &cells,
+                |_| range,
+                |i, j, squared| {
                     let between_balls = squared.sqrt() - radii[i] - radii[j];
                     if between_balls < gap {
                         gap = gap.min(exact(i, j, between_balls));
                     }
-                }
-            });
+                },
+            );
+            least = gap;
+            if enough(least) <= range || range > 2.0 * spread {
+                return;
+            }
+            range = (2.0 * range).min(enough(least));
         }
-        // A pair beyond the range has a gap of at least range − 2 widest.
-        if gap <= range - 2.0 * widest || range > 2.0 * spread {
-            return gap.is_finite().then_some(gap);
-        }
-        range *= 2.0;
+    };
+    // What is as large first: most often that bounds the rest.
+    for class in &classes {
+        search(class, class);
     }
+    for (k, large) in classes.iter().enumerate() {
+        for small in &classes[..k] {
+            search(small, large);
+        }
+    }
+    least.is_finite().then_some(least)
 }
 
 #[cfg(test)]
@@ -119,9 +138,10 @@ mod tests {
         fn agent_gap_is_the_smallest_of_all(
             points in prop::collection::vec(prop::array::uniform2(-50.0..50.0f64), 2..40),
             radius in 0.01..3.0f64,
+            spread in 0.1..3.0f64,
         ) {
             let points: Vec<Vector<2>> = points.into_iter().map(Vector::from).collect();
-            let radii: Vec<f64> = (0..points.len()).map(|k| radius * (1.0 + (k % 3) as f64)).collect();
+            let radii: Vec<f64> = (0..points.len()).map(|k| radius * spread.powi((k % 5) as i32)).collect();
             let mut smallest = f64::INFINITY;
             for i in 0..points.len() {
                 for j in 0..i {

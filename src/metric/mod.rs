@@ -1,5 +1,6 @@
 //! Metrics: pure functions of a state, and the ledger of contacts.
 
+mod classes;
 mod collision;
 mod correlation;
 mod diameter;

@@ -38,6 +38,7 @@ pub(crate) use walls::is_exposed;
 use std::fmt::Debug;
 
 use crate::math::{Matrix, Vector};
+use polytope::{Polytope, Side};
 
 /// A convex shape of `D` dimensions, in its own frame: a solid, or something thin.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,10 +124,37 @@ impl<const D: usize> Shape<D> {
         }
     }
 
+    /// The flat faces of a box or a hull, in its own frame; none where it is no solid.
+    pub fn faces(&self) -> Vec<Face<D>> {
+        let polytope = match self {
+            Self::Cuboid { .. } | Self::Convex { .. } => Polytope::new(self),
+            _ => None,
+        };
+        let faces = polytope.iter().flat_map(|polytope| {
+            let face = |side: &Side<D>| Face {
+                normal: side.normal,
+                offset: side
+                    .normal
+                    .dot(&(polytope.middle + polytope.at(side.corners[0]))),
+            };
+            polytope.faces.iter().map(face)
+        });
+        faces.collect()
+    }
+
     /// Whether it ends somewhere in every direction.
     pub fn is_bounded(&self) -> bool {
         !matches!(self, Self::HalfSpace { .. })
     }
+}
+
+/// A flat face of a polytope: the solid lies where normal · x ≤ offset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face<const D: usize> {
+    /// Unit normal, pointing out.
+    pub normal: Vector<D>,
+    /// Distance of the face from the origin along the normal.
+    pub offset: f64,
 }
 
 /// What the shape code asks of parry, in the shape's own frame.

@@ -1,5 +1,7 @@
 //! Corners, edges and faces of what shapes are roundings of.
 
+use std::collections::BTreeMap;
+
 use crate::math::{Matrix, Vector, direction};
 use crate::shape::{Shape, hull};
 
@@ -103,6 +105,7 @@ impl<const D: usize> Polytope<D> {
         let size = corners.iter().map(|it| it.norm()).fold(0.0, f64::max);
         let at = |i: u32| given[i as usize];
         let mut edges: Vec<Edge<D>> = Vec::new();
+        let mut place: BTreeMap<[u32; 2], usize> = BTreeMap::new();
         let mut sides: Vec<Side<D>> = Vec::new();
         for face in faces {
             if D == 3 {
@@ -110,15 +113,17 @@ impl<const D: usize> Polytope<D> {
                 for (k, &from) in face.iter().enumerate() {
                     let to = face[(k + 1) % face.len()];
                     // The neighbour has it the other way round.
-                    let same = |edge: &&mut Edge<D>| edge.ends == [to, from];
-                    match edges.iter_mut().find(same) {
-                        Some(edge) => edge.normals = edge.normals.map(|[first, _]| [first, normal]),
-                        None => edges.push(Edge {
-                            ends: [from, to],
-                            along: direction(&(at(to) - at(from))),
-                            normals: (corners.len() > 3).then_some([normal, normal]),
-                        }),
+                    if let Some(&known) = place.get(&[to, from]) {
+                        let edge: &mut Edge<D> = &mut edges[known];
+                        edge.normals = edge.normals.map(|[first, _]| [first, normal]);
+                        continue;
                     }
+                    place.insert([from, to], edges.len());
+                    edges.push(Edge {
+                        ends: [from, to],
+                        along: direction(&(at(to) - at(from))),
+                        normals: (corners.len() > 3).then_some([normal, normal]),
+                    });
                 }
                 if corners.len() > 2 {
                     sides.push(Side {

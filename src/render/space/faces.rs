@@ -1,7 +1,7 @@
 //! Shapes of space as faces, in pieces small enough to be sorted by distance.
 
 use crate::math::{Vector, axis};
-use crate::shape::{Geometry, In, Shape};
+use crate::shape::Shape;
 
 use super::super::extent::hull_of;
 use super::super::view::Form;
@@ -41,12 +41,9 @@ pub(in crate::render) fn form(shape: &Shape<3>, piece: f64) -> Form<3> {
 fn faces(shape: &Shape<3>) -> Vec<Vec<Vector<3>>> {
     let (points, _) = hull_of(shape);
     let size = points.iter().map(Vector::norm).fold(0.0, f64::max);
-    let Some(query) = <In<3> as Geometry<3>>::query(shape) else {
-        return Vec::new();
-    };
     let mut seen: Vec<Vector<3>> = Vec::new();
     let mut found = Vec::new();
-    for face in query.faces() {
+    for face in shape.faces() {
         // Hulls of points may come in triangles, several of which lie in one plane.
         if seen
             .iter()

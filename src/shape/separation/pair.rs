@@ -1,7 +1,7 @@
 //! Two polytopes that stand to each other: how far apart, or how deep in each other.
 
 use super::patch;
-use super::point::corner_to;
+use super::point::{corner_to, foot};
 use super::simplex::{Corner, Simplex};
 use crate::math::{Vector, axis, direction};
 use crate::shape::polytope::{Edge, Polytope, Stand, across, cross};
@@ -36,8 +36,19 @@ impl<'a, const D: usize> Pair<'a, D> {
 
     /// How they stand to each other.
     pub(super) fn solve(&self) -> Found<D> {
-        if self.one.corners.len() == 1 && self.other.corners.len() == 1 {
-            return self.of_points();
+        match [self.one, self.other].map(|it| it.corners.len() == 1) {
+            [true, true] => return self.of_points(),
+            [true, false] => return self.of_one_point(),
+            [false, true] => {
+                let point = self.stand.shift;
+                let foot = foot(self.one, &point);
+                return Found {
+                    gap: foot.distance,
+                    normal: foot.normal,
+                    points: [foot.point, point],
+                };
+            }
+            [false, false] => {}
         }
         let mut found = match self.way() {
             Some(way) => self.apart(&way),
@@ -56,6 +67,16 @@ impl<'a, const D: usize> Pair<'a, D> {
             gap,
             normal: if gap > 0.0 { direction(&way) } else { axis(0) },
             points: [Vector::zeros(), way],
+        }
+    }
+
+    /// The first is a point.
+    fn of_one_point(&self) -> Found<D> {
+        let foot = foot(self.other, &-self.stand.back(&self.stand.shift));
+        Found {
+            gap: foot.distance,
+            normal: -self.stand.vector(&foot.normal),
+            points: [Vector::zeros(), self.stand.point(&foot.point)],
         }
     }
 
@@ -367,7 +388,7 @@ impl Features {
                 &self.one,
                 &point,
                 rounding,
-                &mut |gap, normal, foot, _| {
+                &mut |gap, normal, foot| {
                     look(Found {
                         gap,
                         normal,
@@ -384,7 +405,7 @@ impl Features {
                 &self.other,
                 &point,
                 rounding,
-                &mut |gap, normal, foot, _| {
+                &mut |gap, normal, foot| {
                     look(Found {
                         gap,
                         normal: -stand.vector(&normal),
