@@ -94,6 +94,7 @@ where
     let still = Drive {
         forces: &[],
         steering: &[],
+        lasting: &[],
         obstacles: &world.obstacles,
     };
     let (rounds, steps) = rounds_and_steps(agents);

@@ -53,6 +53,7 @@ where
     let still = Drive {
         forces: &[],
         steering: &[],
+        lasting: &[],
         obstacles: &world.obstacles,
     };
     for _ in 0..4 * STEPS {

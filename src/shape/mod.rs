@@ -203,7 +203,7 @@ pub(crate) mod plane {
     const D: usize = 2;
     #[path = "parry.rs"]
     mod adapter;
-    pub(crate) use adapter::{pose, solid};
+    pub(crate) use adapter::solid;
 
     fn rotation(matrix: &crate::math::Matrix<D>) -> parry::math::Rotation {
         parry::math::Rotation::from_cos_sin_unchecked(matrix[(0, 0)], matrix[(1, 0)])
@@ -246,7 +246,7 @@ pub(crate) mod space {
     const D: usize = 3;
     #[path = "parry.rs"]
     mod adapter;
-    pub(crate) use adapter::{pose, solid};
+    pub(crate) use adapter::solid;
 
     fn rotation(matrix: &crate::math::Matrix<D>) -> parry::math::Rotation {
         let columns = std::array::from_fn(|k| {

@@ -20,10 +20,13 @@ use volary::shape::In;
 pub struct Run<const D: usize> {
     /// Everything that touched, step by step.
     pub touches: Vec<Touch<D>>,
+    /// Positions and velocities at the end.
     pub positions: Vec<Vector<D>>,
+    /// Velocities at the end.
     pub velocities: Vec<Vector<D>>,
     /// Angular velocities; none where nothing turns.
     pub spins: Vec<Vector<3>>,
+    /// The bodies themselves.
     pub bodies: Bodies<D>,
 }
 
@@ -60,6 +63,7 @@ impl<const D: usize> Run<D> {
     }
 }
 
+/// The coordinates of a vector.
 pub fn list<const D: usize>(vector: &Vector<D>) -> Vec<f64> {
     vector.iter().copied().collect()
 }

@@ -14,8 +14,8 @@ fn a_box_that_lands_flat_bounces_flat() {
                 json!({
                     "dimension": 3, "time": { "end": 1 }, "physics": { "restitution": restitution },
                     "agents": [{ "shape": { "cuboid": { "half_extents": [0.7, 0.4, 0.5] } },
-                                 "heading": "free",
-                                 "positions": { "explicit": [[0, 0, 0.807]] },
+                                 "heading": "free", "rotation": [0, 0, 0],
+                                 "positions": { "explicit": [[0, 0, 0.907]] },
                                  "velocities": { "explicit": [[0.3, 0, -1]] } }],
                     "obstacles": [{ "shape": { "cuboid": { "half_extents": [5, 5, 1] } },
                                     "position": [0, 0, -1] }]
@@ -33,7 +33,7 @@ fn a_box_that_lands_flat_bounces_flat() {
                 json!({
                     "dimension": 2, "time": { "end": 1 }, "physics": { "restitution": restitution },
                     "agents": [{ "shape": { "cuboid": { "half_extents": [0.7, 0.4] } },
-                                 "heading": "free",
+                                 "heading": "free", "rotation": 0,
                                  "positions": { "explicit": [[0, 0.707]] },
                                  "velocities": { "explicit": [[0.3, -1]] } }],
                     "obstacles": [{ "shape": { "half_space": { "normal": [0, 1] } } }]
@@ -58,7 +58,7 @@ fn a_rod_struck_at_its_end_turns_as_on_paper() {
         "dimension": 2, "time": { "end": 2 }, "physics": { "restitution": 1 },
         "agents": [
             { "shape": { "capsule": { "half_length": 2, "radius": 0.1 } }, "mass": 3,
-              "heading": "free", "positions": { "explicit": [[0, 0]] } },
+              "heading": "free", "rotation": 0, "positions": { "explicit": [[0, 0]] } },
             { "radius": 0.3, "mass": 1, "positions": { "explicit": [[1.5, 1.4]] },
               "velocities": { "explicit": [[0, -2]] } }
         ]

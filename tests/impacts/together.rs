@@ -207,7 +207,7 @@ fn a_gas_keeps_its_energy() {
             "radius": 0.5,
             "positions": { "explicit": places }, "velocities": { "explicit": velocities }
         }],
-        "obstacles": [{ "shape": { "room": { "size": [side, side] } }, "position": [17, 17] }]
+        "obstacles": [{ "shape": { "room": { "half_extents": [side / 2.0, side / 2.0] } }, "position": [17, 17] }]
     });
     let run = run::<2>(world, 2_000);
     let energy = energy(&run);

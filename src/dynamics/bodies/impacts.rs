@@ -104,7 +104,7 @@ impl<const D: usize> Bodies<D> {
             self.physics.place(change);
             self.next.0[agent] = change.position;
             self.engine_velocities[agent] = change.velocity;
-            let ahead = match change.rests || self.pressed[agent] {
+            let ahead = match self.pressed[agent] {
                 true => Vector::zeros(),
                 false => self.ahead[agent],
             };

@@ -28,6 +28,10 @@ pub(crate) struct ContactsState {
 /// The contacts of a flock.
 #[derive(Debug)]
 pub(crate) struct Contacts<const D: usize> {
+    /// The pairs that the engine is to hold, and those of an agent and a wall that are held
+    /// without it.
+    engine: Vec<Pair>,
+    leaning: Vec<Pair>,
     roster: Roster<D>,
     agents: near::Agents<D>,
     walls: near::Walls<D>,
@@ -72,6 +76,8 @@ impl<const D: usize> Contacts<D> {
         Self {
             agents: near::Agents::new(&roster.outer),
             walls: near::Walls::new(balls, &world.agents.group),
+            engine: Vec::new(),
+            leaning: Vec::new(),
             clear: vec![f64::NEG_INFINITY; roster.len()],
             roster,
             state: ContactsState::default(),
@@ -105,23 +111,38 @@ impl<const D: usize> Contacts<D> {
         self.closest(here, start.obstacles, &|agent| start.pose(agent), time);
     }
 
-    /// Finds the pairs that the engine is to hold together in the step to come: those that
-    /// touch and are neither struck nor parting.
+    /// Finds the pairs that are to be held together in the step to come: those that touch and
+    /// are neither struck nor parting. Where agents touch each other the engine holds them, and
+    /// the walls that they touch; who touches walls alone is held without it, see `sweep`.
     pub(crate) fn hold(&mut self, start: Start<'_, D>) {
-        let mut near = Vec::new();
-        self.agents.below(self.widest(), |one, other| {
-            near.push(Pair::agents(one, other))
+        let (mut engine, mut walls, mut leaning) = (Vec::new(), Vec::new(), Vec::new());
+        let widest = self.widest();
+        self.agents
+            .below(widest, |one, other| engine.push(Pair::agents(one, other)));
+        engine.retain(|&pair| self.lasts(pair, &start, true));
+        let mut crowded: Vec<usize> = engine.iter().flat_map(|pair| pair.members()).collect();
+        crowded.sort_unstable();
+        self.walls.below(widest, |agent, obstacle, part| {
+            walls.push(Pair::wall(agent, obstacle, part));
         });
-        self.walls.below(self.widest(), |agent, obstacle, part| {
-            near.push(Pair::wall(agent, obstacle, part));
-        });
-        near.retain(|&pair| self.lasts(pair, &start));
-        self.state.lasting = near;
+        for pair in walls {
+            let crowded = crowded.binary_search(&(pair.agent as usize)).is_ok();
+            if self.lasts(pair, &start, crowded) {
+                match crowded {
+                    true => engine.push(pair),
+                    false => leaning.push(pair),
+                }
+            }
+        }
+        engine.sort_unstable();
+        self.state.lasting.clear();
+        self.state.lasting.extend_from_slice(&engine);
+        (self.engine, self.leaning) = (engine, leaning);
     }
 
-    /// The pairs that [`Contacts::hold`] found.
+    /// The pairs that the engine is to hold, as [`Contacts::hold`] found them.
     pub(crate) fn held(&self) -> &[Pair] {
-        &self.state.lasting
+        &self.engine
     }
 
     /// The pairs that overlap where bodies stand, without impulse.
@@ -183,7 +204,9 @@ impl<const D: usize> Contacts<D> {
         }
     }
 
-    fn lasts(&self, pair: Pair, start: &Start<'_, D>) -> bool {
+    /// Whether a pair touches and is neither struck nor parting; pairs that the engine held
+    /// before may have parted a little.
+    fn lasts(&self, pair: Pair, start: &Start<'_, D>, engine: bool) -> bool {
         let size = pair
             .members()
             .map(|it| self.roster.size(it))
@@ -191,7 +214,7 @@ impl<const D: usize> Contacts<D> {
         let (found, against, acceleration) = self.stand(pair, start);
         let approach = against.dot(&found.normal);
         let pull = acceleration.dot(&found.normal);
-        let known = self.state.lasting.binary_search(&pair).is_ok();
+        let known = engine && self.state.lasting.binary_search(&pair).is_ok();
         if known && against.norm() * start.step <= HELD.1 * size {
             return found.gap <= HELD.0 * size && self.is_exposed(pair, &found, start);
         }
@@ -241,7 +264,7 @@ impl<const D: usize> Contacts<D> {
         self.walls
             .follow(ways, &bend, flight.obstacles, &flight.moved());
         let near = (&mut self.agents, &mut self.walls);
-        let swept = Sweep::new(&self.roster, flight, near, &self.state.lasting).run();
+        let swept = Sweep::new(&self.roster, flight, near, [&self.engine, &self.leaning]).run();
         self.state.strain.unordered += u64::from(swept.unordered);
         touches.extend(swept.touches);
         swept.changes

@@ -2,9 +2,10 @@
 //!
 //! All bodies are on the ways that the engine gave them. The pair that meets first is found, it
 //! and what it pushes bounce, they go on from there on other ways, and so on to the end of the
-//! step. A body that would come back within the step, pressed by what accelerates it, is at
-//! rest on what it touches instead: the rest of the step's acceleration is taken at once, and
-//! what approaches is stopped. From the next step on the engine holds it.
+//! step. A body that would come back within the step, pressed by what accelerates it, leans on
+//! what it touches instead: the rest of the step's acceleration is taken at once, and what
+//! approaches is stopped, with friction. So do bodies that lean on walls alone, from the start of
+//! the step on. Where agents lean on each other, the engine holds them from the next step on.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap, HashMap};
@@ -32,8 +33,6 @@ pub struct Change<const D: usize> {
     pub velocity: Vector<D>,
     pub rotation: Matrix<D>,
     pub spin: Vector<3>,
-    /// Whether it came to rest on something: its velocity is then that at the end of the step.
-    pub rests: bool,
 }
 
 /// A pair that will meet, unless something else comes first.
@@ -72,12 +71,13 @@ pub(super) struct Sweep<'a, const D: usize> {
     flight: Flight<'a, D>,
     agents: &'a mut near::Agents<D>,
     walls: &'a mut near::Walls<D>,
-    /// The pairs that the engine held together in this step, in their order.
-    lasting: &'a [Pair],
+    /// The pairs that the engine held together in this step, and those that lean on walls alone,
+    /// in their order.
+    engine: &'a [Pair],
+    leaning: &'a [Pair],
     /// The ways of obstacles, and the new ones of agents that bounced.
     obstacles: Vec<Way<D>>,
     changed: BTreeMap<usize, Way<D>>,
-    rests: BTreeSet<usize>,
     stamps: HashMap<usize, u32>,
     queue: BinaryHeap<Event>,
     touches: BTreeMap<(usize, Touched), Touch<D>>,
@@ -96,7 +96,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         roster: &'a Roster<D>,
         flight: Flight<'a, D>,
         (agents, walls): (&'a mut near::Agents<D>, &'a mut near::Walls<D>),
-        lasting: &'a [Pair],
+        [engine, leaning]: [&'a [Pair]; 2],
     ) -> Self {
         Self {
             obstacles: (0..flight.obstacles.len())
@@ -106,9 +106,9 @@ impl<'a, const D: usize> Sweep<'a, D> {
             flight,
             agents,
             walls,
-            lasting,
+            engine,
+            leaning,
             changed: BTreeMap::new(),
-            rests: BTreeSet::new(),
             stamps: HashMap::new(),
             queue: BinaryHeap::new(),
             touches: BTreeMap::new(),
@@ -118,6 +118,10 @@ impl<'a, const D: usize> Sweep<'a, D> {
 
     /// Follows all bounces of the step.
     pub(super) fn run(mut self) -> Swept<D> {
+        let leaning = self.leaning;
+        for pairs in leaning.chunk_by(|one, other| one.agent == other.agent) {
+            self.strike(pairs, 0.0, true);
+        }
         let mut pairs = Vec::new();
         self.agents
             .below(0.0, |one, other| pairs.push(Pair::agents(one, other)));
@@ -125,7 +129,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
             pairs.push(Pair::wall(agent, obstacle, part));
         });
         for pair in pairs {
-            if self.lasting.binary_search(&pair).is_err() {
+            if !self.is_held(pair) && !pair.members().any(|agent| self.leans(agent)) {
                 self.foresee(pair, 0.0);
             }
         }
@@ -139,7 +143,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
                 break;
             }
             left -= 1;
-            self.strike(event.pair, event.time);
+            self.strike(&[event.pair], event.time, false);
         }
         let changes = self
             .changed
@@ -155,19 +159,26 @@ impl<'a, const D: usize> Sweep<'a, D> {
     fn change(&self, agent: usize, way: &Way<D>) -> Change<D> {
         let (flight, step) = (&self.flight, self.flight.step);
         let planned = flight.way(agent, self.roster.is_ball(agent));
-        let rests = self.rests.contains(&agent);
-        let velocity = way.velocity_at(step);
         Change {
             agent,
             position: way.position_at(step),
-            velocity: match rests {
-                true => velocity,
-                false => flight.velocities[agent] + (velocity - planned.velocity_at(step)),
-            },
+            velocity: flight.velocities[agent]
+                + (way.velocity_at(step) - planned.velocity_at(step)),
             rotation: way.rotation_at(step),
             spin: way.spin,
-            rests,
         }
+    }
+
+    /// Whether the engine held a pair together, or it leans without it.
+    fn is_held(&self, pair: Pair) -> bool {
+        self.engine.binary_search(&pair).is_ok() || self.leaning.binary_search(&pair).is_ok()
+    }
+
+    /// Whether an agent leans on walls alone: then whom it meets was looked for already.
+    fn leans(&self, agent: usize) -> bool {
+        self.leaning
+            .binary_search_by_key(&agent, |pair| pair.agent as usize)
+            .is_ok()
     }
 
     /// How often the ways of a pair's agents changed so far.
@@ -306,8 +317,8 @@ impl<'a, const D: usize> Sweep<'a, D> {
         is_exposed(obstacles, boxes, (obstacle, part), &point, &normal, size)
     }
 
-    /// Lets a pair that meets bounce, and what it pushes.
-    fn strike(&mut self, pair: Pair, time: f64) {
+    /// Lets pairs that meet bounce, and what they push; or lets those that lean be stopped.
+    fn strike(&mut self, meeting: &[Pair], time: f64, lean: bool) {
         let mut struck = Strike {
             sweep: self,
             time,
@@ -317,20 +328,36 @@ impl<'a, const D: usize> Sweep<'a, D> {
             known: BTreeSet::new(),
         };
         let mut cluster = Cluster::default();
-        struck.add(&mut cluster, pair, true);
-        cluster.bounce(|cluster, body| struck.ask(cluster, body));
+        for &pair in meeting {
+            struck.add(&mut cluster, pair, true);
+        }
+        if !lean {
+            cluster.bounce(|cluster, body| struck.ask(cluster, body));
+        }
         let blows = struck.impulses(&cluster);
-        let rests = struck.rest(&mut cluster);
+        let rests = struck.rest(&mut cluster, lean);
         let (agents, pairs, founds) = (struck.agents, struck.pairs, struck.founds);
         self.unordered |= cluster.unordered;
         self.enter(time, (&pairs, &founds), &cluster, &blows);
         for (body, &agent) in cluster.bodies.iter().zip(&agents) {
-            self.go_on(agent, time, body, rests.contains(&agent));
+            let rests = rests.contains(&agent);
+            let out = match lean {
+                true => way_out(&founds),
+                false => Vector::zeros(),
+            };
+            self.go_on(agent, time, body, (rests, out));
         }
     }
 
-    /// Sends a body on its new way, and looks whom it meets there.
-    fn go_on(&mut self, agent: usize, time: f64, body: &Struck<D>, rests: bool) {
+    /// Sends a body on its new way, from a little beside where it is, and looks whom it meets
+    /// there.
+    fn go_on(
+        &mut self,
+        agent: usize,
+        time: f64,
+        body: &Struck<D>,
+        (rests, aside): (bool, Vector<D>),
+    ) {
         let old = self.way(agent);
         if !rests && old.velocity_at(time) == body.velocity && old.spin == body.spin {
             return;
@@ -339,12 +366,13 @@ impl<'a, const D: usize> Sweep<'a, D> {
         way.turning += body.spin - way.spin;
         way.spin = body.spin;
         way.velocity = body.velocity;
+        way.position += aside;
         if rests {
             way.acceleration = Vector::zeros();
-            self.rests.insert(agent);
         }
         let left = self.flight.step - time;
-        let aside = (way.velocity - old.velocity_at(time)).norm() * left
+        let aside = aside.norm()
+            + (way.velocity - old.velocity_at(time)).norm() * left
             + 0.5 * (way.acceleration - old.acceleration).norm() * left * left;
         let listed = self.agents.stray(agent, aside);
         let walled = self.walls.stray(agent, aside);
@@ -445,6 +473,17 @@ impl<'a, const D: usize> Sweep<'a, D> {
     }
 }
 
+/// Half of the way out of the walls that a body overlaps: rounding, and turning within steps, let
+/// those that lean sink in.
+fn way_out<const D: usize>(founds: &[Separation<D>]) -> Vector<D> {
+    founds
+        .iter()
+        .fold(Vector::zeros(), |out: Vector<D>, found| {
+            let deep = -found.gap + out.dot(&found.normal);
+            out - found.normal * (0.5 * deep.max(0.0))
+        })
+}
+
 /// What meets at one time, as it is found out.
 struct Strike<'s, 'a, const D: usize> {
     sweep: &'s mut Sweep<'a, D>,
@@ -496,7 +535,7 @@ impl<const D: usize> Strike<'_, '_, D> {
             }
         };
         let found = sweep.stand(pair, [&one, &other], self.time);
-        let held = || sweep.lasting.binary_search(&pair).is_ok();
+        let held = || sweep.is_held(pair);
         let size = pair
             .members()
             .map(|it| sweep.roster.size(it))
@@ -562,9 +601,9 @@ impl<const D: usize> Strike<'_, '_, D> {
         sums
     }
 
-    /// Puts to rest on each other what would come back within the step: gives the bodies the
+    /// Lets lean on each other what would come back within the step, or all: gives the bodies the
     /// speed that the rest of the step's acceleration brings, and stops what approaches.
-    fn rest(&mut self, cluster: &mut Cluster<D>) -> BTreeSet<usize> {
+    fn rest(&mut self, cluster: &mut Cluster<D>, all: bool) -> BTreeSet<usize> {
         let left = self.sweep.flight.step - self.time;
         let accelerations: Vec<Vector<D>> = self
             .agents
@@ -575,7 +614,7 @@ impl<const D: usize> Strike<'_, '_, D> {
         for (k, spot) in cluster.spots.iter().enumerate() {
             let other = spot.other.map_or(Vector::zeros(), |it| accelerations[it]);
             let pull = (accelerations[spot.one] - other).dot(&spot.normal);
-            if pull > 0.0 && 2.0 * cluster.separation(k) <= pull * left {
+            if all || pull > 0.0 && 2.0 * cluster.separation(k) <= pull * left {
                 rests.insert(spot.one);
                 rests.extend(spot.other);
             }
