@@ -24,7 +24,7 @@ pub(super) fn after(summary: &Summary, step: f64) -> String {
     let mut text = String::new();
     let mut parts: f64 = 1.0;
     if touched > 0 && strain.travel > TRAVEL {
-        parts = parts.max((strain.travel / TRAVEL).ceil());
+        parts = parts.max(strain.travel / TRAVEL);
         let _ = writeln!(
             text,
             "    a body went {:.3} of its radii in a step; {TRAVEL} is the most to rely on",
@@ -32,7 +32,7 @@ pub(super) fn after(summary: &Summary, step: f64) -> String {
         );
     }
     if strain.overlap > OVERLAP {
-        parts = parts.max((strain.overlap / OVERLAP).ceil());
+        parts = parts.max(strain.overlap / OVERLAP);
         let _ = writeln!(
             text,
             "    bodies overlapped by {:.3} % of the smaller radius; {} % is the most to rely on",
@@ -52,7 +52,7 @@ pub(super) fn after(summary: &Summary, step: f64) -> String {
         true => text,
         false => format!(
             "\n  note: contacts were strained\n{text}    --step {} would do\n",
-            step / parts
+            step / round(parts)
         ),
     }
 }
@@ -94,9 +94,24 @@ pub(super) fn before<const D: usize>(world: &World<D>) -> Option<String> {
         format!(
             "  note: a body {when} goes {travel:.3} of the smallest radius, {radius}, in a step; \
              --step {} keeps it within {TRAVEL}\n",
-            step / (travel / TRAVEL).ceil()
+            step / round(travel / TRAVEL)
         )
     })
+}
+
+/// In how many parts to cut a step that must be so many times as short: round numbers, so that
+/// times which lie on a step still do.
+fn round(times: f64) -> f64 {
+    let mut size: f64 = 1.0;
+    loop {
+        for parts in [1.0, 2.0, 4.0, 5.0, 8.0].map(|it| it * size) {
+            // Infinite ones end it too.
+            if times <= parts || !parts.is_finite() {
+                return parts;
+            }
+        }
+        size *= 10.0;
+    }
 }
 
 /// Radius of the ball within a body; of a hull, of a ball as large as it.
