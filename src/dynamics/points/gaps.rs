@@ -112,6 +112,7 @@ impl GapWatch {
         order.sort_by(|&i, &j| radii[j].total_cmp(&radii[i]));
         let mut at: Vec<Vector<D>> = order.iter().map(|&i| step.positions[1][i]).collect();
         let mut cells = Cells::default();
+        let mut hits: Vec<(usize, f64)> = Vec::new();
         let mut miss = known + reach + margin;
         // Large bodies look for small ones, never small ones as far as for large ones.
         let mut rest = &order[..];
@@ -121,14 +122,14 @@ impl GapWatch {
             let range = (known + 2.0 * top + reach + margin).max(f64::MIN_POSITIVE);
             cells.rebuild(&at, range);
             for (k, &i) in rest[..alike].iter().enumerate() {
-                let mut hits: Vec<(usize, f64)> = Vec::new();
+                hits.clear();
                 cells.for_each_within(&at[k], range, |place, _, squared| {
                     let other = cells.order()[place] as usize;
                     if other > k {
                         hits.push((rest[other], squared.sqrt()));
                     }
                 });
-                for (j, distance) in hits {
+                for &(j, distance) in &hits {
                     let apart = radii[i] + radii[j];
                     miss = miss.min(distance - apart);
                     self.compare_agents(step, ways, [i, j], distance - apart - reach);
