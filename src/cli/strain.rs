@@ -10,9 +10,9 @@ use volary::world::spec::LawSpec;
 
 use super::summary::plural;
 
-/// Radii that a body may go in a step: beyond, it can be past another before any law has seen
+/// Radii that a body may go in a step, its width: beyond, it passes places where no law ever sees
 /// it, and bounces crowd into one step.
-const TRAVEL: f64 = 1.0;
+const TRAVEL: f64 = 2.0;
 
 /// Share of the smaller radius by which bodies may overlap.
 const OVERLAP: f64 = 0.01;
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn what_is_within_bounds_is_not_told() {
         let strain = StrainRecord {
-            travel: 1.0,
+            travel: 2.0,
             overlap: 0.01,
             unordered: 0,
         };

@@ -152,7 +152,7 @@ fn check_tells_which_step_contacts_need() {
             30.0,
             25.0,
             8.0,
-            "a body at the start goes 3.000 of the smallest radius, 0.1, in a step; --step 0.0025",
+            "a body at the start goes 3.000 of the smallest radius, 0.1, in a step; --step 0.005",
         ),
         (
             9.0,
