@@ -16,6 +16,9 @@ pub const PARTED: f64 = 1e-6;
 /// rest at each other touch on, whether or not anything presses them.
 const TOUCHING: f64 = 1e-9;
 
+/// Share of a blow below which an impulse is rounding.
+const NOTHING: f64 = 1e-9;
+
 /// Follows contacts from step to step. An episode runs from the moment at which two bodies touch
 /// to the last at which they do before they part; every step is looked at, so nothing falls
 /// between the frames of a trace.
@@ -41,9 +44,9 @@ struct Episode {
 enum Last {
     /// They did not touch.
     Nothing,
-    /// They hit each other, and no more.
-    Blow,
-    /// They were at each other for a while.
+    /// They met, and nothing pressed them.
+    Meeting,
+    /// They pressed each other for a while.
     Lasting,
 }
 
@@ -140,9 +143,9 @@ impl Ledger {
             Some(episode) => episode.contact,
             None => self.begin(met, touch),
         };
-        let last = match touch.press > 0.0 {
+        let last = match touch.press > NOTHING * touch.blow {
             true => Last::Lasting,
-            false => Last::Blow,
+            false => Last::Meeting,
         };
         let tally = self.tally(contact.with);
         let penetration = (-touch.gap).max(0.0);
@@ -161,8 +164,8 @@ impl Ledger {
         };
         // An overlap found when the run ends takes no step.
         contact.steps += u64::from(begin < end);
+        contact.blows += u64::from(touch.blow > NOTHING * contact.blow);
         contact.blow = contact.blow.max(touch.blow);
-        contact.blows += u64::from(touch.blow > 0.0);
         contact.impulse += touch.impulse();
         contact.friction += touch.friction;
         contact.largest_impulse = contact.largest_impulse.max(touch.impulse());

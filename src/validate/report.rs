@@ -173,6 +173,9 @@ pub struct FirstContact {
     pub obstacle: Option<usize>,
     /// Speed of approach along the normal.
     pub approach_speed: f64,
+    /// Largest blow of the episode (mass × velocity); 0 where there was none.
+    #[serde(default)]
+    pub blow: f64,
     /// Least distance of the same two agents as points within a step of then; null for obstacles
     /// and without a run as points.
     pub points_apart: Option<f64>,

@@ -32,7 +32,7 @@ fn the_table_says_what_came_of_each_claim() {
         "song-2013: not met: <no> other | forces_act:",
         "without contact in theory up to radius 0.155, half of P⁻¹(W(0)) = 0.31, by",
         "without contact as points up to radius 0.4",
-        "first contact at time 21.5, agents 3 and 17, approaching at 0.25; as points",
+        "first contact at time 21.5, agents 3 and 17, approaching at 0.25, with a blow of 1.5; as points",
         "bodies depart from points by 2e-5 before the first contact (velocities by 3e-4), and by 0.7",
         "no claim has anything to say of this world",
         "no claim keeps agents apart in this world",

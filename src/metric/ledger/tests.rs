@@ -91,6 +91,23 @@ fn a_blow_after_which_bodies_part_is_over_in_its_step() {
 }
 
 #[test]
+fn impulses_of_rounding_are_neither_blows_nor_lasting_contact() {
+    let mut ledger = Ledger::default();
+    let noisy = Touch {
+        press: 1e-17,
+        ..blow(0.05, 1.0)
+    };
+    assert!(enter(&mut ledger, 0.1, &[noisy], 0.0).is_empty());
+    assert!(enter(&mut ledger, 0.2, &[blow(0.15, 1e-17)], 0.0).is_empty());
+    let parting = Touch {
+        press: 1e-17,
+        ..blow(0.25, 2.0)
+    };
+    let over = enter(&mut ledger, 0.3, &[parting], FAR);
+    assert_eq!((over[0].blows, over[0].blow, over[0].end), (2, 2.0, 0.25));
+}
+
+#[test]
 fn a_touch_lies_within_its_step() {
     let mut ledger = Ledger::default();
     let over = enter(&mut ledger, 0.3, &[blow(0.0, 1.0)], FAR);
