@@ -163,9 +163,9 @@ fn check_tells_which_step_contacts_need() {
         // No faster than it may.
         (
             9.0,
-            15.0,
+            25.0,
             40.0,
-            "goes 1.500 of the smallest radius, 0.1, in a step; --step 0.005",
+            "a body under navigation goes 2.500 of the smallest radius",
         ),
     ] {
         scene.put("w.json", &world(speed, top, steered).to_string());
