@@ -7,10 +7,12 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::dynamics::{Dynamics, Engine, Failure, Mover, MoverState, Snapshot, Solver, Unusable};
+use crate::dynamics::{
+    Dynamics, Engine, Failure, Gaps, Mover, MoverState, Snapshot, Solver, Strain, Unusable,
+};
 use crate::law::{Flock, Law};
 use crate::math::Vector;
-use crate::metric::{Ledger, NetAnalysis, measure};
+use crate::metric::{Ledger, NetAnalysis, measure, share_apart};
 use crate::sense::History;
 use crate::shape::In;
 use crate::trace::record::{Contact, Metrics, Record, Summary};
@@ -214,7 +216,7 @@ impl<const D: usize> Simulation<D> {
         Ok(summary)
     }
 
-    /// Takes one step; returns the contact episodes that ended before it.
+    /// Takes one step; returns the contact episodes that ended in it.
     ///
     /// # Errors
     /// Where the state or the laws are no longer finite.
@@ -225,7 +227,8 @@ impl<const D: usize> Simulation<D> {
             .time(|| self.agents.step(&mut self.flock))?;
         let end = self.snapshot().time;
         let touches = self.agents.touches();
-        let enter = || self.ledger.enter(begin, end, touches);
+        let apart = share_apart(&self.world, &self.agents.snapshot());
+        let enter = || self.ledger.enter(begin, end, touches, apart);
         Ok(self.watches.ledger.time(enter))
     }
 
@@ -286,6 +289,47 @@ impl<const D: usize> Simulation<D> {
 
     /// The metrics of the state now.
     pub fn metrics(&self) -> Metrics {
-        measure(&self.world, &self.snapshot())
+        let mut metrics = measure(&self.world, &self.snapshot());
+        let [agents, obstacles] = self.smallest_gaps();
+        keep_least(&mut metrics.smallest_agent_gap, agents);
+        keep_least(&mut metrics.smallest_obstacle_gap, obstacles);
+        metrics
     }
+
+    /// Between whom the smallest gaps were so far, and when: at any time, also within steps.
+    pub fn gaps(&self) -> Gaps {
+        self.agents.gaps()
+    }
+
+    /// How near the run came so far to what contacts can do at its step.
+    pub fn strain(&self) -> Strain {
+        self.agents.strain()
+    }
+
+    /// The smallest gaps so far, between agents and to obstacles: those on the way, and those of
+    /// the states and contacts that were looked at.
+    fn smallest_gaps(&self) -> [Option<f64>; 2] {
+        let gaps = self.agents.gaps();
+        let on_the_way = [gaps.agents, gaps.obstacles].map(|it| it.map(|it| it.gap));
+        let in_frames = [self.smallest_agent_gap, self.smallest_obstacle_gap];
+        let in_contact = [
+            self.ledger.smallest_agent_gap(),
+            self.ledger.smallest_obstacle_gap(),
+        ];
+        let mut least = on_the_way;
+        for more in [in_frames, in_contact] {
+            for (least, more) in least.iter_mut().zip(more) {
+                keep_least(least, more);
+            }
+        }
+        least
+    }
+}
+
+/// Makes `least` the smaller of two, where there are any.
+fn keep_least(least: &mut Option<f64>, value: Option<f64>) {
+    *least = match (*least, value) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    };
 }

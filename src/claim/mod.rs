@@ -28,7 +28,7 @@ pub use falling::Falling;
 pub use finding::{Curve, Finding, Hypothesis, Quantity, Side, Verdict};
 pub use judging::{Bound, Judging};
 pub use limit::{Trend, bounded, vanishes};
-pub use run::{Closest, MovedBy, Run, closer};
+pub use run::{Closest, MovedBy, Run, closer, closer_between};
 
 use crate::world::World;
 

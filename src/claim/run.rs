@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use crate::law::Field;
-use crate::math::Vector;
+use crate::math::{Vector, Way};
 use crate::metric::Observation;
 use crate::trace::record::Contact;
 use crate::world::World;
@@ -28,10 +28,10 @@ pub struct Run<'w, const D: usize> {
     pub first_contact: Option<f64>,
     /// The contacts, in the order in which they began.
     pub contacts: Vec<Contact>,
-    /// The two agents that came closest of all, over all steps up to the first contact. Nothing
-    /// where there is one agent.
+    /// The two agents that came closest of all, at any time up to the step of the first contact,
+    /// within steps too. Nothing where there is one agent.
     pub closest: Option<Closest>,
-    /// The same over the steps after the first contact.
+    /// The same at the steps after the first contact.
     pub closest_after_contact: Option<Closest>,
     /// Runs of variations of the world, by the name of the claim that asked for them.
     pub companions: BTreeMap<&'static str, Vec<(World<D>, Vec<Observation<D>>)>>,
@@ -159,4 +159,80 @@ pub fn closer<const D: usize>(
         }
     }
     closest
+}
+
+/// The closer of a pair and the pair that comes closest in a step between two states, each of
+/// positions and velocities: on the [`Way`] through them.
+pub fn closer_between<const D: usize>(
+    known: Option<Closest>,
+    times: [f64; 2],
+    positions: [&[Vector<D>]; 2],
+    velocities: [&[Vector<D>]; 2],
+) -> Option<Closest> {
+    let duration = times[1] - times[0];
+    let way = |i: usize| {
+        let ends = positions.map(|it| it[i]);
+        Way::new(ends, velocities.map(|it| it[i]), duration)
+    };
+    let ways: Vec<_> = (0..positions[0].len()).map(way).collect();
+    let gone = |way: &Way<D>| {
+        let [from, on_the_way @ ..] = way.points();
+        let squares = on_the_way.map(|point| (point - from).norm_squared());
+        squares.into_iter().fold(0.0, f64::max)
+    };
+    let reach = 2.0 * ways.iter().map(gone).fold(0.0, f64::max).sqrt();
+    let mut closest = known;
+    for (i, x) in positions[0].iter().enumerate() {
+        for (j, y) in positions[0].iter().enumerate().skip(i + 1) {
+            let best = closest.map_or(f64::INFINITY, |it| it.distance);
+            let near = best + reach;
+            if (x - y).norm_squared() >= near * near {
+                continue;
+            }
+            let (distance, share) = ways[i].seen_from(&ways[j]).nearest();
+            if distance < best {
+                closest = Some(Closest {
+                    pair: [i, j],
+                    distance,
+                    time: times[0] + share * duration,
+                });
+            }
+        }
+    }
+    closest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_passes_between_two_states_is_seen() {
+        let states = |x: f64| [Vector::<2>::new(x, 0.5), Vector::<2>::new(-x, 0.0)];
+        let velocities = [Vector::<2>::new(20.0, 0.0), Vector::<2>::new(-20.0, 0.0)];
+        let (before, after) = (states(-1.0), states(1.0));
+        let far = closer(closer(None, 0.0, &before), 0.1, &after).expect("two");
+        assert!(far.distance > 2.0);
+        let seen = closer_between(
+            Some(far),
+            [0.0, 0.1],
+            [&before, &after],
+            [&velocities, &velocities],
+        );
+        let seen = seen.expect("two");
+        assert!((seen.distance - 0.5).abs() < 1e-12, "{seen:?}");
+        assert!((seen.time - 0.05).abs() < 1e-9, "{seen:?}");
+        // What is known to be closer stays.
+        let closer = Closest {
+            distance: 0.4,
+            ..far
+        };
+        let kept = closer_between(
+            Some(closer),
+            [0.0, 0.1],
+            [&before, &after],
+            [&velocities, &velocities],
+        );
+        assert_eq!(kept, Some(closer));
+    }
 }

@@ -6,7 +6,7 @@ use volary::world::spec::LawSpec;
 use volary::world::{AnyWorld, World};
 
 use super::summary::plural;
-use super::{Refusal, load, print};
+use super::{Refusal, load, print, strain};
 
 /// Arguments of `volary check`.
 #[derive(Debug, Args)]
@@ -54,6 +54,7 @@ fn describe<const D: usize>(name: &str, world: &World<D>) -> String {
             text.push_str(&format!("  alignment, law {number}: {graph}\n"));
         }
     }
+    text.push_str(&strain::before(world).unwrap_or_default());
     text
 }
 

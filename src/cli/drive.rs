@@ -14,7 +14,7 @@ use volary::trace::record::{Outcome, Record, Summary};
 use volary::trace::{BackgroundWriter, TraceError, write_summary};
 
 use super::progress::Progress;
-use super::{Refusal, files, print, profile, summary};
+use super::{Refusal, files, print, profile, strain, summary};
 
 /// A simulation, and the files that it writes.
 pub(super) struct Drive<'a, const D: usize> {
@@ -70,7 +70,9 @@ impl<const D: usize> Drive<'_, D> {
         }
         if !self.quiet {
             let solver = self.simulation.solver();
+            let step = self.simulation.world().spec.time.step;
             print(&summary::table(&done, solver, self.begin.elapsed()))?;
+            print(&strain::after(&done, step))?;
         }
         if self.profile {
             print(&profile::table(

@@ -19,8 +19,8 @@ Tables, a row for each frame and ...
                (2-D) or rx, ry, rz (3-D, rotation vector), and acceleration.LAW.x, ...
   metrics      (one row for the frame): time, step, metrics.*, net.*, laws.*, as recorded
   contacts     (no frames: a row for each episode): agent, with, other, begin, end,
-               open, steps, largest_impulse, deepest_penetration, approach_speed, push_speed,
-               x, y, (z)
+               open, steps, blow, blows, impulse, largest_impulse, mean_force, friction,
+               deepest_penetration, approach_speed, push_speed, x, y, (z)
   edges, links, blocked
                pair: time, step, agent, other
   beta-agents  β-agent: time, step, agent, obstacle, part, x, y, (z,) vx, vy, (vz,) distance

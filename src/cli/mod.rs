@@ -17,6 +17,7 @@ mod render;
 mod resume;
 mod run;
 mod schema;
+mod strain;
 mod summary;
 mod validate;
 mod values;

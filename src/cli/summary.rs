@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::time::Duration;
 
 use volary::dynamics::Solver;
-use volary::trace::record::{ContactCount, Summary};
+use volary::trace::record::{Approach, ContactCount, Summary};
 
 /// The summary of a run as a table for people; of points with what moved them.
 pub(super) fn table(summary: &Summary, solver: Option<Solver>, took: Duration) -> String {
@@ -60,12 +60,12 @@ pub(super) fn table(summary: &Summary, solver: Option<Solver>, took: Duration) -
     row(
         "smallest agent gap",
         summary.smallest_agent_gap.map(number),
-        "between surfaces, at frames and contacts",
+        &closest(summary.closest_agents.as_ref(), "agents", "and"),
     );
     row(
         "smallest obst. gap",
         summary.smallest_obstacle_gap.map(number),
-        "between surfaces, at frames and contacts",
+        &closest(summary.closest_obstacle.as_ref(), "agent", "to obstacle"),
     );
     for (name, cuts, meaning) in [
         (
@@ -108,6 +108,16 @@ pub(super) fn table(summary: &Summary, solver: Option<Solver>, took: Duration) -
     text
 }
 
+/// Whose surfaces came closest, and when.
+fn closest(approach: Option<&Approach>, agents: &str, to: &str) -> String {
+    match approach {
+        Some(Approach { agent, other, time }) => {
+            format!("{agents} {agent} {to} {other}, at {}", number(*time))
+        }
+        None => "between surfaces".to_owned(),
+    }
+}
+
 /// A number in few digits, however large or small.
 fn number(value: f64) -> String {
     match value.abs() {
@@ -121,12 +131,19 @@ fn contacts(count: &ContactCount) -> String {
         return "none".to_owned();
     }
     let mut text = format!(
-        "{} ({}); largest impulse {}, deepest penetration {}, approach up to {}",
+        "{} ({}), approach up to {}\n{:27}blow up to {}, impulse {} in all, friction {}\n\
+         {:27}lasting {} at most, {} on average; deepest penetration {}",
         count.episodes,
         plural(count.pairs, "pair"),
-        number(count.largest_impulse),
-        number(count.deepest_penetration),
-        number(count.highest_approach_speed)
+        number(count.highest_approach_speed),
+        "",
+        number(count.largest_blow),
+        number(count.impulse),
+        number(count.friction),
+        "",
+        number(count.longest_duration),
+        number(count.mean_duration),
+        number(count.deepest_penetration)
     );
     if count.pushed > 0 {
         let _ = write!(text, "; pushed in {}", count.pushed);

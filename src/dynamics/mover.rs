@@ -141,7 +141,7 @@ impl<const D: usize> Mover<D> {
     pub fn gaps(&self) -> Gaps {
         match self {
             Self::Bodies(bodies) => bodies.gaps(),
-            Self::Points(_) => Gaps::default(),
+            Self::Points(points) => points.gaps(),
         }
     }
 

@@ -14,7 +14,7 @@
 //! |---|---|---|
 //! | `Agents` | frame and agent | `time step agent group`, position `x y z`, velocity `vx vy vz`; where bodies can turn `angle` in 2-D, the rotation vector `rx ry rz` in 3-D; where recorded `acceleration.LAW.x`, `.y`, `.z` of each law, before the actuator limit |
 //! | `Metrics` | frame | `time step`, then in alphabetical order what was recorded: `metrics.*`, `net.*`, `laws.*`, and `laws.LAW.*` of each law; vectors as `.x`, `.y`, `.z` |
-//! | `Contacts` | episode | `agent with other begin end open steps largest_impulse deepest_penetration approach_speed push_speed`, and the agent's position `x y z` at the start |
+//! | `Contacts` | episode | `agent with other begin end open steps blow blows impulse largest_impulse mean_force friction deepest_penetration approach_speed push_speed`, and the agent's position `x y z` when they began to touch |
 //! | `Edges`, `Links`, `Blocked` | frame and pair | `time step agent other`; of links and lines of sight the agent is the one that looks |
 //! | `BetaAgents` | frame and β-agent | `time step agent obstacle part`, position `x y z`, velocity `vx vy vz`, `distance` |
 //! | `Obstacles` | frame and moving obstacle | `time step obstacle`, position `x y z`, and `angle` or `rx ry rz` |

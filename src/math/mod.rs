@@ -14,6 +14,7 @@ mod radial;
 mod time_function;
 mod trajectory;
 mod turn;
+mod way;
 
 pub use action::Action;
 pub use alpha_pair::{AlphaPair, Fade};
@@ -30,6 +31,7 @@ pub(crate) use radial::{exp, inverse_square_root};
 pub use time_function::{Interpolation, TimeFunction};
 pub use trajectory::{Moment, Spline, Trajectory, plane_across};
 pub use turn::{sin_cos, sin_cos_of_turns};
+pub use way::{Way, turn as turning_place};
 
 /// A vector of the `D`-dimensional world.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;

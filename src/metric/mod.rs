@@ -14,6 +14,7 @@ mod milling;
 mod net_record;
 mod observation;
 mod order;
+mod parting;
 mod pattern;
 mod tracking;
 
@@ -25,11 +26,12 @@ pub use gap::{agent_gap, obstacle_gap};
 pub use influence::Influences;
 pub use lattice::{deviation_energy, union};
 pub use laws::{Terms, laws_record};
-pub use ledger::Ledger;
+pub use ledger::{Ledger, PARTED};
 pub use milling::{milling, rotation};
 pub use net_record::NetAnalysis;
 pub use observation::{Aligned, Observation};
 pub use order::{polarization, velocity_mismatch};
+pub use parting::share_apart;
 pub use pattern::{ball_residual, line_residual};
 pub use tracking::target_errors;
 
@@ -39,7 +41,8 @@ use crate::net::{Components, Net, structural_energy};
 use crate::trace::record::Metrics;
 use crate::world::World;
 
-/// All metrics of a state of `world`.
+/// All metrics of a state of `world`. Of the smallest gaps so far a state knows no more than those
+/// of now.
 pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> Metrics {
     let alpha = world.alpha_interaction();
     let net = alpha.map(|alpha| Net::new(snapshot.positions, alpha.range));
@@ -50,6 +53,7 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
         .collect();
     let target_of = world.agents.group.iter().map(|&group| targets[group]);
     let collisions = collision_ratio(world, snapshot);
+    let (agent_gap, obstacle_gap) = (agent_gap(world, snapshot), obstacle_gap(world, snapshot));
     Metrics {
         components: clusters.as_ref().map(Components::count),
         density: clusters.as_ref().map(Components::density),
@@ -62,8 +66,10 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
             .and_then(computable),
         polarization: polarization(snapshot.velocities),
         velocity_mismatch: velocity_mismatch(snapshot.velocities, target_of),
-        agent_gap: agent_gap(world, snapshot),
-        obstacle_gap: obstacle_gap(world, snapshot),
+        agent_gap,
+        obstacle_gap,
+        smallest_agent_gap: agent_gap,
+        smallest_obstacle_gap: obstacle_gap,
         position_diameter: diameter(snapshot.positions),
         velocity_diameter: diameter(snapshot.velocities),
         largest_component: clusters.as_ref().map(Components::largest),

@@ -79,8 +79,8 @@ pub fn over_time(
                 theme,
             ));
             let contacts = match quantity.stem() {
-                "agent_gap" => run.agent_contacts.as_slice(),
-                "obstacle_gap" => run.obstacle_contacts.as_slice(),
+                "agent_gap" | "smallest_agent_gap" => run.agent_contacts.as_slice(),
+                "obstacle_gap" | "smallest_obstacle_gap" => run.obstacle_contacts.as_slice(),
                 _ => &[],
             };
             if !contacts.is_empty() {

@@ -20,7 +20,9 @@ pub(super) fn of(stem: &str) -> Option<Reference> {
         "total_energy" => Reference::Start("J(0)"),
         // Djokam & Rathinam, Lemma 1.
         "largest_kinetic_energy" => Reference::Start("E(0)"),
-        "agent_gap" | "obstacle_gap" => Reference::Value(0.0, "contact"),
+        "agent_gap" | "obstacle_gap" | "smallest_agent_gap" | "smallest_obstacle_gap" => {
+            Reference::Value(0.0, "contact")
+        }
         "density" => Reference::Value(1.0, "one flock"),
         _ => return None,
     })

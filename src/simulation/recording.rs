@@ -1,15 +1,15 @@
 //! What a simulation says of itself: the header, frames and the summary of its trace.
 
-use super::{Pause, Simulation};
-use crate::dynamics::Snapshot;
+use super::{Pause, Simulation, keep_least};
+use crate::dynamics::{Closest, Snapshot, Strain, Touched};
 use crate::math::Vector;
-use crate::metric::{Terms, laws_record, measure};
+use crate::metric::{Terms, laws_record};
 use crate::net::Net;
 use crate::sense::Surroundings;
 use crate::shape::Obstacle;
 use crate::trace::record::{
-    BetaAgent, Bodies as BodyProperties, FORMAT, Frame, Header, LawAccelerations, ObstaclePose,
-    Outcome, SolverRecord, Summary, VERSION,
+    Approach, BetaAgent, Bodies as BodyProperties, FORMAT, Frame, Header, LawAccelerations,
+    ObstaclePose, Outcome, SolverRecord, StrainRecord, Summary, VERSION,
 };
 use crate::world::spec::Rotation;
 
@@ -56,7 +56,7 @@ impl<const D: usize> Simulation<D> {
     }
 
     fn new_frame(&mut self) -> Frame {
-        // Measured whether recorded or not: the summary keeps the smallest gaps.
+        // Measured whether recorded or not: the smallest gaps so far are kept.
         let metrics = self.metrics();
         keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);
         keep_least(&mut self.smallest_obstacle_gap, metrics.obstacle_gap);
@@ -113,15 +113,8 @@ impl<const D: usize> Simulation<D> {
         };
         let cuts = self.agents.cuts();
         let state = self.agents.snapshot();
-        let last = measure(&self.world, &state);
-        let (mut agent_gap, mut obstacle_gap) =
-            (self.smallest_agent_gap, self.smallest_obstacle_gap);
-        for gap in [last.agent_gap, self.ledger.smallest_agent_gap()] {
-            keep_least(&mut agent_gap, gap);
-        }
-        for gap in [last.obstacle_gap, self.ledger.smallest_obstacle_gap()] {
-            keep_least(&mut obstacle_gap, gap);
-        }
+        let last = self.metrics();
+        let gaps = self.agents.gaps();
         Summary {
             name: self.world.name.clone(),
             seed: self.world.spec.seed,
@@ -135,10 +128,35 @@ impl<const D: usize> Simulation<D> {
             force_cuts: cuts.force,
             rate_cuts: cuts.rate,
             speed_cuts: cuts.speed,
-            smallest_agent_gap: agent_gap,
-            smallest_obstacle_gap: obstacle_gap,
+            smallest_agent_gap: last.smallest_agent_gap,
+            closest_agents: gaps.agents.map(approach),
+            smallest_obstacle_gap: last.smallest_obstacle_gap,
+            closest_obstacle: gaps.obstacles.map(approach),
+            strain: strain(self.agents.strain()),
             last,
         }
+    }
+}
+
+fn approach(closest: Closest) -> Approach {
+    let (Touched::Agent(other) | Touched::Obstacle(other)) = closest.to;
+    Approach {
+        agent: closest.agent,
+        other,
+        time: closest.time,
+    }
+}
+
+fn strain(strain: Strain) -> StrainRecord {
+    let Strain {
+        travel,
+        overlap,
+        unordered,
+    } = strain;
+    StrainRecord {
+        travel,
+        overlap,
+        unordered,
     }
 }
 
@@ -170,13 +188,6 @@ fn obstacle_poses<const D: usize>(obstacles: &[Obstacle<D>]) -> Option<Vec<Obsta
         })
         .collect();
     (!poses.is_empty()).then_some(poses)
-}
-
-fn keep_least(least: &mut Option<f64>, value: Option<f64>) {
-    *least = match (*least, value) {
-        (Some(a), Some(b)) => Some(a.min(b)),
-        (a, b) => a.or(b),
-    };
 }
 
 fn list<const D: usize>(vector: &Vector<D>) -> Vec<f64> {

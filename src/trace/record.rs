@@ -5,9 +5,11 @@
 //! Vectors are arrays of D numbers; agents and obstacles are named by their index
 //! in the header. Numbers read back bit for bit.
 
+mod contact;
 mod laws;
 mod net;
 
+pub use contact::{Approach, Contact, ContactCount, Partner, StrainRecord};
 pub use laws::{InfluenceRecord, LawRecord, LawsRecord};
 pub use net::NetRecord;
 
@@ -199,6 +201,13 @@ pub struct Metrics {
     pub agent_gap: Option<f64>,
     /// Smallest gap between the surfaces of an agent and an obstacle.
     pub obstacle_gap: Option<f64>,
+    /// Smallest gap between two agents so far: at any time until now, between frames and within
+    /// steps too.
+    #[serde(default)]
+    pub smallest_agent_gap: Option<f64>,
+    /// The same between an agent and an obstacle.
+    #[serde(default)]
+    pub smallest_obstacle_gap: Option<f64>,
     /// Position diameter d_X: largest distance between two agents.
     pub position_diameter: f64,
     /// Velocity diameter d_V: largest difference between two velocities.
@@ -236,51 +245,6 @@ pub struct Metrics {
     pub obstacle_safety: Option<f64>,
 }
 
-/// What an agent touched.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
-#[serde(rename_all = "snake_case")]
-pub enum Partner {
-    /// Another agent.
-    Agent,
-    /// An obstacle.
-    Obstacle,
-}
-
-/// A contact episode: from the first step in which a pair touches to the first in
-/// which it does not. Touching means a positive impulse or a gap of zero or less.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Contact {
-    /// The agent; the one with the lower index where both are agents.
-    pub agent: usize,
-    /// What it touched.
-    pub with: Partner,
-    /// Index of what it touched: an agent or an obstacle.
-    pub other: usize,
-    /// Time at the start of the first step in which they touched.
-    pub begin: f64,
-    /// Time at the end of the last step in which they touched.
-    pub end: f64,
-    /// Whether they still touched when the run ended.
-    pub open: bool,
-    /// Number of steps in which they touched.
-    pub steps: u64,
-    /// Largest normal impulse of any step (mass × velocity).
-    pub largest_impulse: f64,
-    /// Deepest penetration (length), 0 where the bodies never overlapped.
-    pub deepest_penetration: f64,
-    /// Speed at which the bodies' centres approached each other along the normal, just
-    /// before they touched; negative where they were parting.
-    pub approach_speed: f64,
-    /// Largest speed at which the surface of a moving obstacle advanced into the agent
-    /// along the normal; 0 for fixed obstacles and for agents.
-    #[serde(default)]
-    pub push_speed: f64,
-    /// Position of the agent at the start of the first step in which they touched.
-    pub position: Vec<f64>,
-}
-
 /// How the run ended.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(title = "Volary summary")]
@@ -312,10 +276,20 @@ pub struct Summary {
     /// Agent-steps in which the top speed cut the force.
     #[serde(default)]
     pub speed_cuts: u64,
-    /// Smallest gap between two agents over all frames and contacts.
+    /// Smallest gap between two agents at any time, between frames and within steps too;
+    /// negative where they overlapped.
     pub smallest_agent_gap: Option<f64>,
-    /// Smallest gap between an agent and an obstacle over all frames and contacts.
+    /// Between whom that was, and when.
+    #[serde(default)]
+    pub closest_agents: Option<Approach>,
+    /// Smallest gap between an agent and an obstacle at any time.
     pub smallest_obstacle_gap: Option<f64>,
+    /// Between whom that was, and when.
+    #[serde(default)]
+    pub closest_obstacle: Option<Approach>,
+    /// How near the run came to what contacts can do at its step.
+    #[serde(default)]
+    pub strain: StrainRecord,
     /// The metrics at the end.
     #[serde(rename = "final")]
     pub last: Metrics,
@@ -331,22 +305,4 @@ pub enum Outcome {
     Interrupted,
     /// The state became non-finite, or something else made it impossible to go on.
     Failed,
-}
-
-/// Contact episodes of one kind, counted.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-pub struct ContactCount {
-    /// Number of episodes.
-    pub episodes: u64,
-    /// Number of different pairs that touched.
-    pub pairs: u64,
-    /// Largest impulse.
-    pub largest_impulse: f64,
-    /// Deepest penetration.
-    pub deepest_penetration: f64,
-    /// Highest approach speed.
-    pub highest_approach_speed: f64,
-    /// Number of episodes in which a moving obstacle advanced into the agent.
-    #[serde(default)]
-    pub pushed: u64,
 }

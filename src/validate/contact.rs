@@ -107,6 +107,7 @@ fn first_contact<const D: usize>(
         other_agent: between_agents.then_some(j),
         obstacle: (!between_agents).then_some(j),
         approach_speed: speed,
+        blow: contact.blow,
         points_apart,
         cause,
     }

@@ -2,17 +2,18 @@
 
 use std::convert::Infallible;
 
-use crate::claim::{MovedBy, Run, closer};
+use crate::claim::{Closest, MovedBy, Run, closer, closer_between};
 use crate::dynamics::{Accuracy, Dynamics, Engine, Failure};
 use crate::law::Field;
+use crate::math::Vector;
 use crate::metric::Observation;
 use crate::shape::In;
 use crate::simulation::{Pause, Simulation};
 use crate::trace::record::Record;
 use crate::world::World;
 
-/// How near two agents come to each other as points in the two steps from a time on: the engine
-/// may feel a contact up to a step before the surfaces meet.
+/// How near two agents come to each other as points within a step of some time: bodies are where
+/// points are to the order of the step.
 ///
 /// # Errors
 /// Where the run cannot begin or go on.
@@ -20,23 +21,34 @@ pub fn least_distance<const D: usize>(
     world: &World<D>,
     accuracy: Accuracy,
     [i, j]: [usize; 2],
-    from: f64,
+    about: f64,
 ) -> Result<f64, Failure>
 where
     In<D>: Engine<D>,
 {
     let dynamics = Dynamics::Points(accuracy);
     let mut simulation = Simulation::with_dynamics(world.clone(), Vec::new(), dynamics)?;
-    let mut least = f64::INFINITY;
+    let mut least: Option<Closest> = None;
     let step = world.spec.time.step;
-    while simulation.snapshot().time < from + 2.5 * step {
-        let state = simulation.snapshot();
-        if state.time > from - 0.5 * step {
-            least = least.min((state.positions[i] - state.positions[j]).norm());
-        }
+    while simulation.snapshot().time < about + step {
+        let (time, x, v) = pair(&simulation, [i, j]);
         simulation.step()?;
+        let (end, next_x, next_v) = pair(&simulation, [i, j]);
+        if end > about - step {
+            least = closer_between(least, [time, end], [&x, &next_x], [&v, &next_v]);
+        }
     }
-    Ok(least)
+    Ok(least.map_or(f64::INFINITY, |it| it.distance))
+}
+
+/// Time, positions and velocities of two agents.
+fn pair<const D: usize>(
+    simulation: &Simulation<D>,
+    agents: [usize; 2],
+) -> (f64, [Vector<D>; 2], [Vector<D>; 2]) {
+    let state = simulation.snapshot();
+    let of = |list: &[Vector<D>]| agents.map(|i| list[i]);
+    (state.time, of(state.positions), of(state.velocities))
 }
 
 /// Runs a world to its end and looks at it whenever it records a frame. Of bodies, what is
@@ -80,12 +92,19 @@ where
         if over {
             break;
         }
-        let begin = simulation.snapshot().time;
+        let before = (
+            state.time,
+            state.positions.to_vec(),
+            state.velocities.to_vec(),
+        );
         contacts.extend(simulation.step()?);
-        let ledger = simulation.ledger();
-        let episodes = ledger.agent_contacts().episodes + ledger.obstacle_contacts().episodes;
-        if episodes > 0 {
-            run.first_contact.get_or_insert(begin);
+        run.first_contact = simulation.ledger().first_contact();
+        // A way on which bodies struck each other is none that a curve through its ends follows.
+        if run.first_contact.is_none() {
+            let (time, x, v) = before;
+            let state = simulation.snapshot();
+            let (times, x) = ([time, state.time], [&x[..], state.positions]);
+            run.closest = closer_between(run.closest, times, x, [&v, state.velocities]);
         }
     }
     let end = simulation.finish(Pause::Reached, &mut |record| {

@@ -75,7 +75,7 @@ pub struct RunReport {
 pub struct ClosestReport {
     /// The agents.
     pub agents: [usize; 2],
-    /// Distance between their positions, over all steps up to the first contact.
+    /// Distance between their positions, at any time up to the first contact.
     pub distance: f64,
     /// The time.
     pub time: f64,
@@ -118,7 +118,7 @@ pub struct ContactReport {
     /// What theory says of the distance between agents, claim by claim.
     pub exclusions: Vec<ExclusionReport>,
     /// The largest radius at which the points, had they been bodies, would not have touched:
-    /// half of their least distance. Null without a run as points, or for one agent.
+    /// half of their least distance at any time. Null without a run as points, or for one agent.
     pub points_radius: Option<f64>,
     /// The same of the bodies' centres; null where bodies touched, and so were kept apart by
     /// their size.
@@ -173,8 +173,11 @@ pub struct FirstContact {
     pub obstacle: Option<usize>,
     /// Speed of approach along the normal.
     pub approach_speed: f64,
-    /// Least distance of the same two agents as points within two steps from then on; null for
-    /// obstacles and without a run as points.
+    /// Largest blow of the episode (mass × velocity); 0 where there was none.
+    #[serde(default)]
+    pub blow: f64,
+    /// Least distance of the same two agents as points within a step of then; null for obstacles
+    /// and without a run as points.
     pub points_apart: Option<f64>,
     /// Why it came about, in a sentence.
     pub cause: String,

@@ -133,6 +133,59 @@ fn check_reports_on_all_worlds() {
 }
 
 #[test]
+fn check_tells_which_step_contacts_need() {
+    let scene = Scene::new();
+    let world = |speed: f64, top: f64, steered: f64| {
+        json!({
+            "dimension": 2, "time": { "step": 0.01, "end": 1 },
+            "agents": [
+                { "radius": 0.1, "positions": { "explicit": [[0, 0]] },
+                  "velocities": { "common": [speed, 0] }, "top_speed": top },
+                { "radius": 3, "positions": { "explicit": [[9, 9]] }, "top_speed": 4 }
+            ],
+            "laws": [{ "navigation": { "velocity": [0, steered] } }]
+        })
+    };
+    for (speed, top, steered, says) in [
+        (9.0, 10.0, 8.0, ""),
+        (
+            30.0,
+            25.0,
+            8.0,
+            "a body at the start goes 3.000 of the smallest radius, 0.1, in a step; --step 0.005",
+        ),
+        (
+            9.0,
+            21.0,
+            8.0,
+            "a body at top speed goes 2.100 of the smallest radius",
+        ),
+        // No faster than it may.
+        (
+            9.0,
+            25.0,
+            40.0,
+            "a body under navigation goes 2.500 of the smallest radius",
+        ),
+    ] {
+        scene.put("w.json", &world(speed, top, steered).to_string());
+        let out = scene.succeeds("check w.json");
+        assert!(out.contains(says), "{says}: {out}");
+        assert_eq!(out.contains("note"), !says.is_empty(), "{out}");
+        // The step that it names is one that the world can take, and raises no note.
+        if let Some((_, rest)) = out.split_once("--step ") {
+            let step = rest.split(' ').next().unwrap();
+            scene.succeeds(&format!("run w.json --quiet --step {step}"));
+            let mut spec = world(speed, top, steered);
+            spec["time"]["step"] = json!(step.parse::<f64>().unwrap());
+            scene.put("finer.json", &spec.to_string());
+            let out = scene.succeeds("check finer.json");
+            assert!(!out.contains("note"), "{out}");
+        }
+    }
+}
+
+#[test]
 fn shipped_worlds_are_listed_and_start_new_ones() {
     let scene = Scene::new();
     let list = scene.succeeds("worlds");

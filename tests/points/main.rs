@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod gaps;
 mod jumps;
 mod nets;
 mod papers;

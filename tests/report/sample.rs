@@ -259,6 +259,7 @@ fn touching() -> WorldReport {
                 other_agent: Some(17),
                 obstacle: None,
                 approach_speed: 0.25,
+                blow: 1.5,
                 points_apart: Some(0.98),
                 cause: "the bodies are larger than theory keeps apart".to_owned(),
             }),

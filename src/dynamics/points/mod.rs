@@ -14,6 +14,7 @@
 mod accuracy;
 mod field;
 mod fitness;
+mod gaps;
 mod integrator;
 mod links;
 
@@ -22,12 +23,13 @@ pub use accuracy::{Accuracy, Solver};
 use serde::{Deserialize, Serialize};
 
 use super::failure::{Failure, LARGEST};
-use super::{Snapshot, Unusable, turn};
+use super::{Gaps, Snapshot, Unusable, turn};
 use crate::law::{Flock, State};
 use crate::math::{Stuck, Stumble, Vector, axis};
 use crate::shape::Obstacle;
 use crate::world::World;
 use field::{Agents, Field, read};
+use gaps::{GapWatch, Taken};
 use integrator::Integrator;
 
 /// Agents as point masses.
@@ -42,6 +44,8 @@ pub struct Points<const D: usize> {
     obstacles: Vec<Obstacle<D>>,
     /// The force of the laws on each agent now.
     pushes: Vec<Vector<D>>,
+    radii: Vec<f64>,
+    gaps: GapWatch,
 }
 
 /// What points must know between two steps, besides their world, to go on bit for bit.
@@ -55,6 +59,7 @@ pub struct PointsState<const D: usize> {
     velocities: Vec<Vector<D>>,
     headings: Vec<Vector<D>>,
     pushes: Vec<Vector<D>>,
+    gaps: GapWatch,
 }
 
 impl<const D: usize> Points<D> {
@@ -74,6 +79,8 @@ impl<const D: usize> Points<D> {
         let mut points = Self::around(world, flock, accuracy);
         points.turn();
         points.push(flock)?;
+        let (positions, radii) = (&points.positions, &points.radii);
+        points.gaps.begin(positions, radii, &points.obstacles);
         let state = points.flat();
         let field = Field::new(&mut points.agents, flock);
         points.integrator = Integrator::choose(field, &state, points.step_size);
@@ -93,6 +100,8 @@ impl<const D: usize> Points<D> {
             velocities: agents.velocities.clone(),
             obstacles: world.obstacles.clone(),
             pushes: vec![Vector::zeros(); agents.len()],
+            radii: agents.radius.clone(),
+            gaps: GapWatch::default(),
         }
     }
 
@@ -122,6 +131,7 @@ impl<const D: usize> Points<D> {
             positions: state.positions,
             velocities: state.velocities,
             pushes: state.pushes,
+            gaps: state.gaps,
             ..Self::around(world, flock, state.accuracy)
         };
         points.agents.headings = state.headings;
@@ -141,8 +151,10 @@ impl<const D: usize> Points<D> {
             positions,
             velocities,
             pushes,
+            gaps,
             // Part of the world, and of the time.
             step_size: _,
+            radii: _,
             obstacles: _,
         } = self;
         PointsState {
@@ -154,6 +166,7 @@ impl<const D: usize> Points<D> {
             velocities: velocities.clone(),
             headings: agents.headings.clone(),
             pushes: pushes.clone(),
+            gaps: gaps.clone(),
         }
     }
 
@@ -183,11 +196,20 @@ impl<const D: usize> Points<D> {
                 time: times[1],
             });
         }
-        self.positions = positions;
-        self.velocities = velocities;
+        let before = (
+            std::mem::replace(&mut self.positions, positions),
+            std::mem::replace(&mut self.velocities, velocities),
+        );
         self.step += 1;
         self.turn();
         self.move_obstacles();
+        self.gaps.look(&Taken {
+            times,
+            positions: [&before.0, &self.positions],
+            velocities: [&before.1, &self.velocities],
+            radii: &self.radii,
+            obstacles: &self.obstacles,
+        });
         self.push(flock)
     }
 
@@ -222,6 +244,13 @@ impl<const D: usize> Points<D> {
     /// The force that the laws exert on each agent now, within its limit.
     pub fn pushes(&self) -> &[Vector<D>] {
         &self.pushes
+    }
+
+    /// The smallest gaps so far between the bodies that they would be, at any time: each step is
+    /// taken as a cubic through its states. Those of moving obstacles are looked at at the ends of
+    /// steps only.
+    pub fn gaps(&self) -> Gaps {
+        self.gaps.gaps()
     }
 
     /// What solves the equations of motion.

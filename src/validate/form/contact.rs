@@ -51,8 +51,12 @@ fn touches(first: &FirstContact) -> String {
         Some(apart) => format!("; as points these are {} apart", number(apart)),
         None => String::new(),
     };
+    let blow = match first.blow > 0.0 {
+        true => format!(", with a blow of {}", number(first.blow)),
+        false => String::new(),
+    };
     format!(
-        "at time {}, {with}, approaching at {}{apart}; {}",
+        "at time {}, {with}, approaching at {}{blow}{apart}; {}",
         number(first.time),
         number(first.approach_speed),
         first.cause
