@@ -193,9 +193,14 @@ impl<'a, const D: usize> Pair<'a, D> {
         for face in &self.other.faces {
             look(-self.stand.vector(&face.normal), 0.0);
         }
-        for first in &self.one.edges {
-            for second in &self.other.edges {
-                let along = self.stand.vector(&second.along);
+        for second in &self.other.edges {
+            let along = self.stand.vector(&second.along);
+            for first in &self.one.edges {
+                // Most pairs cannot both be outermost, which takes no root to see.
+                let back = self.stand.back(&first.along);
+                if !(turns(&first.normals, &along) && turns(&second.normals, &back)) {
+                    continue;
+                }
                 let normal = cross(&first.along, &along);
                 let sine = normal.norm();
                 if sine < 1e-13 {
@@ -248,6 +253,14 @@ impl<'a, const D: usize> Pair<'a, D> {
             },
         };
         [point, point + normal * gap]
+    }
+}
+
+/// Whether, between the normals of the faces that meet at an edge, one is across a direction.
+fn turns<const D: usize>(normals: &Option<[Vector<D>; 2]>, along: &Vector<D>) -> bool {
+    match normals {
+        None => true,
+        Some([m, n]) => m.dot(along) * n.dot(along) <= 1e-9,
     }
 }
 
