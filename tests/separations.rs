@@ -372,6 +372,48 @@ where
     }
 }
 
+proptest! {
+    #![proptest_config(cases(300))]
+
+    /// Hulls with corners nearly in line, and thin ones.
+    #[test]
+    fn separations_of_odd_hulls_are_proven(
+        cloud in prop::collection::vec(prop::array::uniform3(-1.0..1.0f64), 4..7),
+        kind in 0..9usize,
+        thin in 0.0..5.0f64,
+        middle in (0.0..1.0f64, -30.0..-6.0f64),
+        offset in offset(),
+        turns in (turn(), turn()),
+        near in near(),
+    ) {
+        fn odd<const D: usize>(
+            points: Vec<Vector<D>>, kind: usize, offset: [f64; 3], turns: [[f64; 3]; 2], near: f64,
+        ) where In<D>: Geometry<D> {
+            let first = Shape::Convex { points };
+            let second = &shapes::<D>()[kind];
+            // In space what is too thin is refused.
+            let Some(one) = Solid::new(first.clone()) else { return };
+            let other = Solid::new(second.clone()).expect("a solid");
+            let at = Pose::<D>::new(point([0.1, -0.2, 0.3]), turns[0]);
+            let there = Pose::<D>::new(point(offset), turns[1]);
+            let size = size(&first) + size(second);
+            let found = one.separation(&at, &other, &there);
+            prove([&first, second], [&at, &there], &found, size);
+            let there = there.at(there.translation + found.normal * (near - found.gap));
+            let found = one.separation(&at, &other, &there);
+            prove([&first, second], [&at, &there], &found, size);
+        }
+        let mut cloud = cloud;
+        let mixed = [0, 1, 2].map(|k| cloud[0][k] + (cloud[1][k] - cloud[0][k]) * middle.0);
+        cloud.push([mixed[0], mixed[1] + middle.1.exp2(), mixed[2]]);
+        let thin = 10f64.powf(-thin);
+        let flat = cloud.iter().map(|x| point([x[0], x[1] * thin, 0.0])).collect();
+        odd::<2>(flat, kind, offset, [turns.0, turns.1], near);
+        let full = cloud.iter().map(|x| point([x[0], x[1], x[2] * thin.sqrt()])).collect();
+        odd::<3>(full, kind, offset, [turns.0, turns.1], near);
+    }
+}
+
 /// Gaps and projections of obstacles at another scale.
 fn obstacles_keep_their_bits<const D: usize>()
 where

@@ -21,8 +21,8 @@ impl<const D: usize> Solid<D>
 where
     In<D>: Geometry<D>,
 {
-    /// A solid; `None` where none can be made of the shape: a convex hull must be about a
-    /// thousandth as thick as it is wide.
+    /// A solid; `None` where none can be made of the shape: in space a convex hull must be about
+    /// a thousandth as thick as it is wide, in the plane its points may not lie in line.
     pub fn new(shape: Shape<D>) -> Option<Self> {
         let query = <In<D> as Geometry<D>>::query(&shape)?;
         let figure = Figure::new(&shape)?;

@@ -6,6 +6,7 @@
 //! judged by the normals of all faces and pairs of edges. Nothing here compares a length with a
 //! number, so the same two things at another scale have the same answer at that scale.
 
+mod features;
 mod pair;
 mod patch;
 mod point;

@@ -1,7 +1,8 @@
 //! Where faces and edges that lie flat on each other meet: the middle of what they share, so that
 //! a body that lands flat is pushed at no corner.
 
-use super::pair::{Chosen, Pair};
+use super::features::Chosen;
+use super::pair::Pair;
 use crate::math::{Vector, direction};
 use crate::shape::polytope::{Polytope, across, cross, right};
 

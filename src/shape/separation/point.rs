@@ -1,6 +1,6 @@
 //! The point of a polytope nearest to a point, and the feature that it lies on.
 
-use super::pair::Chosen;
+use super::features::Chosen;
 use crate::math::{Vector, axis, direction};
 use crate::shape::polytope::{Edge, Polytope, Side, across, cross, right};
 

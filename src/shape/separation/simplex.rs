@@ -45,7 +45,7 @@ impl<const D: usize> Simplex<D> {
     pub(super) fn reduce(&mut self) -> Option<Vector<D>> {
         let at = |k: usize| self.corners[k].at;
         let (keep, point) = match self.count {
-            1 => ([0, 0, 0], at(0)).into_kept(1),
+            1 => kept([0, 0, 0], 1, at(0)),
             2 => segment([0, 1], [at(0), at(1)]),
             3 => {
                 let found = triangle([0, 1, 2], [at(0), at(1), at(2)]);
@@ -70,29 +70,19 @@ struct Keep {
     count: usize,
 }
 
-trait IntoKept<const D: usize> {
-    fn into_kept(self, count: usize) -> (Keep, Vector<D>);
-}
-
-impl<const D: usize> IntoKept<D> for ([usize; 3], Vector<D>) {
-    fn into_kept(self, count: usize) -> (Keep, Vector<D>) {
-        let keep = Keep {
-            indices: self.0,
-            count,
-        };
-        (keep, self.1)
-    }
+fn kept<const D: usize>(indices: [usize; 3], count: usize, point: Vector<D>) -> (Keep, Vector<D>) {
+    (Keep { indices, count }, point)
 }
 
 fn segment<const D: usize>([i, j]: [usize; 2], [a, b]: [Vector<D>; 2]) -> (Keep, Vector<D>) {
     let along = b - a;
     let (at, length) = (-a.dot(&along), along.norm_squared());
     if at <= 0.0 {
-        ([i, 0, 0], a).into_kept(1)
+        kept([i, 0, 0], 1, a)
     } else if at >= length {
-        ([j, 0, 0], b).into_kept(1)
+        kept([j, 0, 0], 1, b)
     } else {
-        ([i, j, 0], a + along * (at / length)).into_kept(2)
+        kept([i, j, 0], 2, a + along * (at / length))
     }
 }
 
@@ -102,11 +92,11 @@ fn triangle<const D: usize>(index: [usize; 3], [a, b, c]: [Vector<D>; 3]) -> (Ke
     let (ab, ac) = (b - a, c - a);
     let (d1, d2) = (-ab.dot(&a), -ac.dot(&a));
     if d1 <= 0.0 && d2 <= 0.0 {
-        return ([i, 0, 0], a).into_kept(1);
+        return kept([i, 0, 0], 1, a);
     }
     let (d3, d4) = (-ab.dot(&b), -ac.dot(&b));
     if d3 >= 0.0 && d4 <= d3 {
-        return ([j, 0, 0], b).into_kept(1);
+        return kept([j, 0, 0], 1, b);
     }
     let vc = d1 * d4 - d3 * d2;
     if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
@@ -114,7 +104,7 @@ fn triangle<const D: usize>(index: [usize; 3], [a, b, c]: [Vector<D>; 3]) -> (Ke
     }
     let (d5, d6) = (-ab.dot(&c), -ac.dot(&c));
     if d6 >= 0.0 && d5 <= d6 {
-        return ([k, 0, 0], c).into_kept(1);
+        return kept([k, 0, 0], 1, c);
     }
     let vb = d5 * d2 - d1 * d6;
     if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
@@ -131,7 +121,7 @@ fn triangle<const D: usize>(index: [usize; 3], [a, b, c]: [Vector<D>; 3]) -> (Ke
         }
         _ => (a * va + b * vb + c * vc) / (va + vb + vc),
     };
-    (index, point).into_kept(3)
+    kept(index, 3, point)
 }
 
 fn tetrahedron<const D: usize>(at: [Vector<D>; 4]) -> Option<(Keep, Vector<D>)> {
