@@ -1,5 +1,7 @@
 //! A world file being read: its text, and what is set from outside.
 
+use std::panic::resume_unwind;
+
 use serde_json::Value;
 
 use super::check;
@@ -9,6 +11,10 @@ use super::resolve::AnyWorld;
 use super::set::Override;
 use super::spec::WorldSpec;
 use super::{syntax, validate};
+
+/// Stack for reading, in bytes. Brackets may stand 127 deep, and an override a hundred deep more;
+/// without optimisation a level takes a few kilobytes.
+const STACK: usize = 16 << 20;
 
 /// The text of a world file with the overrides that apply to it.
 ///
@@ -45,6 +51,18 @@ impl Document {
 
     /// The checked world, or everything that is wrong with it.
     pub fn spec(&self) -> Result<WorldSpec, Report> {
+        // What stands inside one another is read so as well, and the caller's stack may be small.
+        let thread = std::thread::Builder::new().stack_size(STACK);
+        std::thread::scope(|scope| {
+            match thread.spawn_scoped(scope, || self.read()) {
+                Ok(reading) => reading.join().unwrap_or_else(|panic| resume_unwind(panic)),
+                // Without another thread, here.
+                Err(_) => self.read(),
+            }
+        })
+    }
+
+    fn read(&self) -> Result<WorldSpec, Report> {
         let mut world = syntax::value(&self.text)
             .map_err(|found| Report::found(&self.name, &self.text, found))?;
         self.clear(self.override_in(&mut world))?;
