@@ -47,8 +47,8 @@ fn unusable(error: postcard::Error) -> Unusable {
     Unusable(error.to_string())
 }
 
-/// The body of an agent and its collider.
-fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
+/// The body of an agent and its collider, in a world with friction or without.
+fn agent(world: &World<D>, i: usize, friction: bool) -> (RigidBodyBuilder, ColliderBuilder) {
     let (agents, physics) = (&world.agents, &world.spec.physics);
     let group = &world.spec.agents[agents.group[i]];
     let solid = &world.solids[agents.group[i]];
@@ -63,7 +63,7 @@ fn agent(world: &World<D>, i: usize) -> (RigidBodyBuilder, ColliderBuilder) {
         .soft_ccd_prediction(f64::MAX);
     let turns = match solid.is_ball() {
         // Nothing can turn a ball without friction.
-        true => has_friction(world),
+        true => friction,
         false => group.heading != Some(HeadingSpec::Fixed),
     };
     if !turns {
@@ -146,8 +146,9 @@ impl Rapier {
         parameters.contact_clustering = false;
 
         let agents = &world.agents;
+        let friction = has_friction(world);
         for i in 0..agents.len() {
-            let (body, collider) = agent(world, i);
+            let (body, collider) = agent(world, i, friction);
             engine.insert(body, collider);
         }
         for (index, obstacle) in world.obstacles.iter().enumerate() {

@@ -32,14 +32,11 @@ pub const MOST_PARTS: usize = 2_000_000;
 /// Obstacles, or parts of them, without bounds: every agent must be held against each of them.
 pub const MOST_UNBOUNDED: usize = 1_000;
 
-/// Compounds inside one another.
-pub const MOST_NESTED: usize = 8;
+/// Pairs of parts of obstacles whose boxes overlap.
+pub const MOST_OVERLAPS: usize = 10_000_000;
 
 /// Laws, those inside scopes counted one by one: each is asked in every step.
 pub const MOST_LAWS: usize = 1_000;
-
-/// Names of groups in scopes, all of them together.
-pub const MOST_NAMES: usize = 10_000_000;
 
 /// Arcs of a graph that is not written out.
 pub const MOST_ARCS: usize = 1_000_000;

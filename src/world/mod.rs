@@ -6,6 +6,7 @@
 
 mod agents;
 pub mod check;
+mod crowd;
 mod describe;
 pub mod document;
 mod graph;
@@ -23,6 +24,7 @@ pub mod shipped;
 mod sites;
 mod span;
 pub mod spec;
+mod standing;
 mod start_distance;
 mod strict;
 mod syntax;

@@ -262,10 +262,7 @@ fn choose(
         Value::Object(object) if object.len() == 1 => {
             let chosen = object.keys().next().map_or("", String::as_str);
             Err(match named(chosen) {
-                Some(_) => Problem::new(
-                    here,
-                    format!("must be just \"{chosen}\", without fields"),
-                ),
+                Some(_) => Problem::new(here, format!("must be just \"{chosen}\", without fields")),
                 None => {
                     let at = path.field(chosen).to_string();
                     let problem = Problem::with_name(at, format!("unknown {noun}"));

@@ -317,6 +317,35 @@ impl Check {
     }
 }
 
+/// How many convex parts a shape is made of, and how many of them have no bounds. Each of a
+/// room's walls is as far as all of it.
+pub(super) fn parts(shape: &ShapeSpec) -> (usize, usize) {
+    let pieces = |points: &[Vec<f64>], closed: bool| points.len().max(1) - usize::from(!closed);
+    match shape {
+        ShapeSpec::HalfSpace { .. } => (1, 1),
+        ShapeSpec::Room { half_extents } => (2 * half_extents.len(), 2 * half_extents.len()),
+        ShapeSpec::Polyline { points, closed } => (pieces(points, *closed), 0),
+        ShapeSpec::Corridor { points, closed, .. } => (8 * pieces(points, *closed), 0),
+        ShapeSpec::Mesh { triangles, .. } => (triangles.len(), 0),
+        ShapeSpec::Heightfield { heights, .. } => match heights {
+            Heights::Row(row) => (row.len(), 0),
+            Heights::Rows(rows) => (rows.iter().map(|row| 2 * row.len()).sum(), 0),
+        },
+        ShapeSpec::Compound { parts } => parts
+            .iter()
+            .map(|part| self::parts(&part.shape))
+            .fold((0, 0), |(all, endless), (own, more)| {
+                (all.saturating_add(own), endless + more)
+            }),
+        ShapeSpec::Ball { .. }
+        | ShapeSpec::Cuboid { .. }
+        | ShapeSpec::Capsule { .. }
+        | ShapeSpec::Convex { .. }
+        | ShapeSpec::Segment { .. }
+        | ShapeSpec::Triangle { .. } => (1, 0),
+    }
+}
+
 fn largest(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }
