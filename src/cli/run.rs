@@ -13,6 +13,7 @@ use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
 use super::drive::{Drive, Keeper, Threads};
+use super::progress::Progress;
 use super::values::number;
 use super::{Refusal, files, load};
 
@@ -143,7 +144,7 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
 /// Runs a world, writes what was asked for and prints a summary.
 pub(super) fn run(arguments: &RunArguments, stop: &Stop) -> Result<(), Refusal> {
     files::check(arguments)?;
-    let world = load::load(&arguments.world, arguments.overrides()?)?;
+    let world = load::load(&arguments.world, arguments.overrides()?, arguments.quiet)?;
     arguments.threads.install(|| match world {
         AnyWorld::Plane(world) => run_world(arguments, world, stop),
         AnyWorld::Space(world) => run_world(arguments, world, stop),
@@ -160,7 +161,10 @@ where
 {
     let begin = Instant::now();
     let every = every(arguments, &world)?;
-    let simulation = Simulation::with_dynamics(world, Vec::new(), arguments.dynamics()?);
+    let (dynamics, quiet) = (arguments.dynamics()?, arguments.quiet);
+    let progress = Progress::of_preparation(format!("starting {}", arguments.world), quiet);
+    let simulation = Simulation::with_dynamics(world, Vec::new(), dynamics);
+    progress.finish();
     let simulation = simulation.map_err(|failure| match failure.is_bad_input() {
         true => Refusal::bad_input(format!("{}: {failure}", arguments.world)),
         false => Refusal::failed(format!("{} cannot start: {failure}", arguments.world)),

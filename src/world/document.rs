@@ -10,6 +10,7 @@ use super::report::Report;
 use super::resolve::AnyWorld;
 use super::set::Override;
 use super::spec::WorldSpec;
+use super::watch::{Stage, Watch};
 use super::{syntax, validate};
 
 /// Stack for reading, in bytes. Brackets may stand 127 deep, and an override a hundred deep more;
@@ -26,6 +27,7 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
+    watch: Watch,
 }
 
 impl Document {
@@ -35,12 +37,19 @@ impl Document {
             name: name.into(),
             text: text.into(),
             overrides: Vec::new(),
+            watch: Watch::default(),
         }
     }
 
     /// The same document with more overrides, which apply in order.
     pub fn with(mut self, overrides: impl IntoIterator<Item = Override>) -> Self {
         self.overrides.extend(overrides);
+        self
+    }
+
+    /// The same document, with someone who watches while it becomes a world.
+    pub fn watched(mut self, watch: Watch) -> Self {
+        self.watch = watch;
         self
     }
 
@@ -76,12 +85,19 @@ impl Document {
 
     /// The resolved world under a name of its own, or everything that is wrong with it.
     pub fn world(&self, name: impl Into<String>) -> Result<AnyWorld, Report> {
-        AnyWorld::resolve(name.into(), self.spec()?).map_err(|problems| self.report(problems))
+        self.tell(Stage::Reading)?;
+        let spec = self.spec()?;
+        AnyWorld::resolve(name.into(), spec, &self.watch).map_err(|problems| self.report(problems))
     }
 
     /// Problems, found here or later, placed in this document by their paths.
     pub fn report(&self, problems: Vec<Problem>) -> Report {
         Report::placed(&self.name, &self.text, &self.overrides, problems)
+    }
+
+    fn tell(&self, stage: Stage) -> Result<(), Report> {
+        let told = self.watch.tell(stage);
+        told.map_err(|stopped| self.report(vec![stopped]))
     }
 
     fn clear(&self, problems: Vec<Problem>) -> Result<(), Report> {

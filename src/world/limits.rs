@@ -32,8 +32,14 @@ pub const MOST_PARTS: usize = 2_000_000;
 /// Obstacles, or parts of them, without bounds: every agent must be held against each of them.
 pub const MOST_UNBOUNDED: usize = 1_000;
 
+/// Points of one convex shape: what finds its faces compares them with one another.
+pub const MOST_CORNERS: usize = 10_000;
+
 /// Pairs of parts of obstacles whose boxes overlap.
 pub const MOST_OVERLAPS: usize = 10_000_000;
+
+/// Edges of the proximity net, or links that are recorded, at the start: a frame holds them all.
+pub const MOST_EDGES: usize = 100_000_000;
 
 /// Laws, those inside scopes counted one by one: each is asked in every step.
 pub const MOST_LAWS: usize = 1_000;
@@ -42,14 +48,15 @@ pub const MOST_LAWS: usize = 1_000;
 pub const MOST_ARCS: usize = 1_000_000;
 
 /// Agents in a world that records the analysis of its net: its time grows with their cube, and
-/// that of so many takes about a minute a frame.
+/// so many take some ten seconds a frame.
 pub const MOST_IN_NET: usize = 1_000;
 
 /// Agents in a world that records what laws are about, pair by pair: ten thousand make fifty
 /// million pairs a frame.
 pub const MOST_IN_LAWS: usize = 10_000;
 
-/// Parts of the path of an override. The deepest field of a world lies about fifty deep.
+/// Parts of the path of an override. Without compounds inside one another, the deepest field
+/// lies some ten deep.
 pub const MOST_STEPS_OF_A_PATH: usize = 100;
 
 /// Bytes of an override's path.

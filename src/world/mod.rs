@@ -7,6 +7,7 @@
 mod agents;
 pub mod check;
 mod crowd;
+mod crowded_start;
 mod describe;
 pub mod document;
 mod graph;
@@ -30,6 +31,7 @@ mod strict;
 mod syntax;
 mod validate;
 mod velocity;
+mod watch;
 mod words;
 
 pub use agents::Agents;
@@ -38,6 +40,7 @@ pub use problem::Problem;
 pub use report::Report;
 pub use resolve::{AnyWorld, World};
 pub use set::{Override, OverrideError};
+pub use watch::{Stage, Watch};
 pub use words::nearest_path;
 
 use crate::math::Vector;

@@ -2,12 +2,15 @@
 
 use crate::math::Vector;
 use crate::shape::{Boxes, Obstacle, Reach, Solid};
+use crate::world::check::size;
+use crate::world::limits::MOST_PROBLEMS;
 use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
 use crate::world::sites::{self, Hexagonal};
 use crate::world::spec::{GroupSpec, PlacementSpec};
 use crate::world::standing::Standing;
 use crate::world::vector;
+use crate::world::watch::{Stage, Watch};
 use crate::world::words::number;
 
 /// Draws for one agent before a random placement gives up. Random sequential placement
@@ -27,6 +30,10 @@ pub(super) struct Placement<'a, const D: usize> {
     placed: Standing<D, Placed<D>>,
     /// The room of each group's bodies.
     rooms: Vec<f64>,
+    watch: &'a Watch,
+    agents: usize,
+    /// Looks for places so far.
+    looks: usize,
 }
 
 /// A body that has its place.
@@ -54,6 +61,7 @@ impl<'a, const D: usize> Placement<'a, D> {
         groups: &[GroupSpec],
         solids: &'a [Solid<D>],
         obstacles: &'a [Obstacle<D>],
+        watch: &'a Watch,
     ) -> Self {
         let rooms: Vec<f64> = (groups.iter().zip(solids))
             .map(|(group, solid)| {
@@ -69,6 +77,27 @@ impl<'a, const D: usize> Placement<'a, D> {
             boxes,
             placed: Standing::new(rooms.iter().copied()),
             rooms,
+            watch,
+            agents: groups
+                .iter()
+                .filter_map(size)
+                .fold(0, usize::saturating_add),
+            looks: 0,
+        }
+    }
+
+    /// Tells now and then how far it is, before another look for a place.
+    fn look(&mut self) -> Result<(), Vec<Problem>> {
+        /// Looks take about a microsecond.
+        const LOOKS: usize = 4096;
+        self.looks += 1;
+        match self.looks % LOOKS {
+            1 => {
+                let (placed, of) = (self.placed.len(), self.agents);
+                let told = self.watch.tell(Stage::Placing { placed, of });
+                told.map_err(|stopped| vec![stopped])
+            }
+            _ => Ok(()),
         }
     }
 
@@ -124,6 +153,10 @@ impl<'a, const D: usize> Placement<'a, D> {
         let mut problems = Vec::new();
         let mut places = Vec::new();
         for (index, position) in positions.iter().enumerate() {
+            self.look()?;
+            if problems.len() >= MOST_PROBLEMS {
+                break;
+            }
             let body = Placed {
                 group: group_index,
                 index,
@@ -153,6 +186,7 @@ impl<'a, const D: usize> Placement<'a, D> {
         sites: Vec<Vector<D>>,
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         for (index, &position) in sites.iter().enumerate() {
+            self.look()?;
             let body = Placed {
                 group: group_index,
                 index,
@@ -193,8 +227,16 @@ impl<'a, const D: usize> Placement<'a, D> {
                 radius: self.solids[group_index].radius(),
                 position,
             };
-            let mut draws = (0..DRAWS).map(|_| body(candidate()));
-            let Some(body) = draws.find(|body| self.conflict(body, apart).is_none()) else {
+            let mut found = None;
+            for _ in 0..DRAWS {
+                self.look()?;
+                let body = body(candidate());
+                if self.conflict(&body, apart).is_none() {
+                    found = Some(body);
+                    break;
+                }
+            }
+            let Some(body) = found else {
                 let distance = number(apart.max(2.0 * self.solids[group_index].radius()));
                 let problem = Problem::new(
                     format!("agents[{group_index}].positions.{kind}"),
@@ -335,7 +377,12 @@ mod tests {
         let group: GroupSpec = serde_json::from_value(group).unwrap();
         let groups = std::slice::from_ref(&group);
         let solids = crate::world::agents::solids(groups).unwrap();
-        let placed = Placement::<D>::new(groups, &solids, &[]).place(0, &group, positions.len(), 1);
+        let placed = Placement::<D>::new(groups, &solids, &[], &Watch::default()).place(
+            0,
+            &group,
+            positions.len(),
+            1,
+        );
         placed.err().unwrap_or_default()
     }
 
@@ -386,7 +433,9 @@ mod tests {
         let pole = Pose::new(Vector::zeros(), [0.0; 3]);
         let pole = Obstacle::new("pole".into(), Shape::Ball { radius: 0.5 }, pole).unwrap();
         let balls = [1.0, 0.5].map(|radius| Solid::new(Shape::Ball { radius }).unwrap());
-        let mut placement = Placement::<2>::new(&groups, &balls, std::slice::from_ref(&pole));
+        let watch = Watch::default();
+        let mut placement =
+            Placement::<2>::new(&groups, &balls, std::slice::from_ref(&pole), &watch);
         let far = |positions: Vec<Vector<2>>| {
             let squares = positions.iter().map(|at| (at.norm_squared() / 4.0).round());
             squares.collect::<Vec<_>>()

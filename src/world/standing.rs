@@ -94,6 +94,11 @@ impl<const D: usize, T> Standing<D, T> {
         }
     }
 
+    /// Number of things.
+    pub(super) fn len(&self) -> usize {
+        self.things.len()
+    }
+
     /// Adds a thing that needs a room which was told of.
     pub(super) fn put(&mut self, at: &Vector<D>, room: f64, thing: T) {
         let index = self.things.len() as u32;

@@ -1,6 +1,7 @@
 //! Checks of obstacles: poses, shapes and motions.
 
 use super::{Check, LARGEST};
+use crate::world::limits::MOST_CORNERS;
 use crate::world::problem::Problem;
 use crate::world::spec::{Heights, MotionSpec, ObstacleSpec, Rotation, ShapeSpec};
 use crate::world::words::number;
@@ -307,7 +308,11 @@ impl Check {
         if points.iter().any(|point| point.len() != self.dimension) {
             return;
         }
-        if points.len() <= self.dimension {
+        if points.len() > MOST_CORNERS {
+            let problem = Problem::new(path, format!("has {} points", points.len()));
+            self.problems
+                .push(problem.allowed(format!("at most {MOST_CORNERS}")));
+        } else if points.len() <= self.dimension {
             let what = format!("must have at least {} points", self.dimension + 1);
             self.add(path, what);
         } else if rank(points) < self.dimension {
