@@ -31,16 +31,13 @@ fn listed(count: usize) -> Value {
 }
 
 fn groups(count: usize) -> Vec<Value> {
-    let group = |k| {
-        json!({ "name": format!("g{k}"), "radius": 0.1, "positions": { "explicit": [place(k)] } })
-    };
+    let group = |k| json!({ "name": format!("g{k}"), "radius": 0.1, "positions": { "explicit": [place(k)] } });
     (0..count).map(group).collect()
 }
 
 fn obstacles(count: usize) -> Vec<Value> {
-    let ball = |k| {
-        json!({ "shape": { "ball": { "radius": 0.1 } }, "position": shifted(k, [400.0, 0.0]) })
-    };
+    let ball =
+        |k| json!({ "shape": { "ball": { "radius": 0.1 } }, "position": shifted(k, [400.0, 0.0]) });
     (0..count).map(ball).collect()
 }
 
@@ -53,9 +50,7 @@ fn with_unknown(mut world: Value, count: usize) -> Value {
 
 /// A world with so many things of a kind.
 fn world(kind: &str, count: usize) -> Value {
-    let with = |agents: Value, obstacles: Vec<Value>| {
-        json!({ "dimension": 2, "time": { "end": 1 }, "agents": agents, "obstacles": obstacles })
-    };
+    let with = |agents: Value, obstacles: Vec<Value>| json!({ "dimension": 2, "time": { "end": 1 }, "agents": agents, "obstacles": obstacles });
     let one = || json!([listed(1)]);
     match kind {
         "agents, listed" => with(json!([listed(count)]), Vec::new()),
@@ -68,7 +63,10 @@ fn world(kind: &str, count: usize) -> Value {
         "rods" => {
             let places: Vec<_> = (0..count).map(place).collect();
             let rod = json!({ "capsule": { "half_length": 0.3, "radius": 0.1 } });
-            with(json!([{ "shape": rod, "positions": { "explicit": places } }]), Vec::new())
+            with(
+                json!([{ "shape": rod, "positions": { "explicit": places } }]),
+                Vec::new(),
+            )
         }
         "groups" => with(json!(groups(count)), Vec::new()),
         "obstacles" => with(one(), obstacles(count)),
@@ -95,7 +93,10 @@ fn read(text: &str) -> (bool, f64) {
 }
 
 fn main() {
-    println!("{:<24}{:>10}{:>10}  {}", "kind", "seconds", "exponent", "of");
+    println!(
+        "{:<24}{:>10}{:>10}  {}",
+        "kind", "seconds", "exponent", "of"
+    );
     for kind in [
         "agents, listed",
         "agents, drawn",

@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 use volary::stop::{Stop, tie_up};
 
 /// For a command that looks at its [`Stop`].
-const MOMENT: Duration = Duration::from_millis(130);
+const MOMENT: Duration = Duration::from_millis(100);
 
 /// For one that writes down what it has done.
 const MOST: Duration = Duration::from_secs(5);
