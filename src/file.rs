@@ -4,6 +4,8 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::stop::Loose;
+
 /// Why a file could not be written or read. Each message names it.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -45,6 +47,8 @@ pub struct WholeFile {
     /// The neighbour, until it is gone; none for a device or a pipe, which is written to as it
     /// is.
     part: Option<PathBuf>,
+    /// Has the neighbour removed if the process ends early.
+    loose: Option<Loose>,
     overwrite: bool,
 }
 
@@ -55,23 +59,35 @@ impl WholeFile {
     /// [`FileError::Exists`] without `overwrite`, where something has this name already;
     /// [`FileError::BadPath`] for a folder, or inside a missing one; and what the system says.
     pub fn create(path: &Path, overwrite: bool) -> Result<Self, FileError> {
-        let (file, path, part) = match to_replace(path, overwrite)? {
+        let (file, path, part, loose) = match to_replace(path, overwrite)? {
             None => {
                 let file = File::create(path).map_err(|e| explain(path, "write", e))?;
-                (file, path.to_owned(), None)
+                (file, path.to_owned(), None, None)
             }
             Some(path) => {
                 let part = part_of(&path);
-                // Only a crash of a process with the same number can have left it.
-                let _ = fs::remove_file(&part);
-                let file = File::create_new(&part).map_err(|e| explain(&path, "create", e))?;
-                (file, path, Some(part))
+                let begin = || {
+                    // Only a crash of a process with the same number can have left it.
+                    let _ = fs::remove_file(&part);
+                    File::create_new(&part)
+                };
+                let own = part.clone();
+                let remove = |_: &File| -> Box<dyn FnOnce() + Send> {
+                    Box::new(move || {
+                        // Best effort, as when it is dropped.
+                        let _ = fs::remove_file(&own);
+                    })
+                };
+                let begun = Loose::end(begin, remove);
+                let (file, loose) = begun.map_err(|e| explain(&path, "create", e))?;
+                (file, path, Some(part), Some(loose))
             }
         };
         Ok(Self {
             file,
             path,
             part,
+            loose,
             overwrite,
         })
     }
@@ -85,10 +101,13 @@ impl WholeFile {
         let Some(part) = &self.part else {
             return Ok(());
         };
-        self.file
-            .sync_all()
-            .and_then(|()| rename(part, &self.path, self.overwrite))
-            .map_err(|e| self.failure(e))?;
+        self.file.sync_all().map_err(|e| self.failure(e))?;
+        let name = || rename(part, &self.path, self.overwrite);
+        let named = match self.loose.take() {
+            Some(loose) => loose.settle(name),
+            None => name(),
+        };
+        named.map_err(|e| self.failure(e))?;
         self.part = None;
         Ok(())
     }

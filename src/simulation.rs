@@ -167,7 +167,7 @@ impl<const D: usize> Simulation<D> {
         let frame_steps = self.world.frame_steps();
         while self.snapshot().step < end {
             if self.snapshot().step.is_multiple_of(frame_steps) {
-                let frame = Record::Frame(self.frame());
+                let frame = Record::Frame(self.frame(false));
                 self.watches.trace.time(|| record(frame))?;
             }
             match self.step() {
@@ -184,7 +184,8 @@ impl<const D: usize> Simulation<D> {
     }
 
     /// The last part of [`Simulation::run`]: records the last state, the contacts that are
-    /// still open, and the summary.
+    /// still open, and the summary. Of a run that was stopped the last frame has neither `net`
+    /// nor `laws`.
     ///
     /// # Errors
     /// Those of `record`.
@@ -201,7 +202,8 @@ impl<const D: usize> Simulation<D> {
                 .step
                 .is_multiple_of(self.world.frame_steps());
         if !recorded {
-            let frame = Record::Frame(self.frame());
+            // Who stops a run waits for no analysis that takes long.
+            let frame = Record::Frame(self.frame(pause == Pause::Stopped));
             self.watches.trace.time(|| record(frame))?;
         }
         let overlaps = match failed {

@@ -1,7 +1,11 @@
 //! A request to stop, which whoever does long work looks at on the way.
 
+mod loose;
+
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+pub use loose::{Loose, tie_up};
 
 /// A request to stop. Copies share it: one asks, the others see it.
 #[derive(Debug, Clone, Default)]

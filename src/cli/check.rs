@@ -20,7 +20,7 @@ pub(super) struct CheckArguments {
 pub(super) fn check(arguments: &CheckArguments) -> Result<(), Refusal> {
     let mut complaints = Vec::new();
     for world in &arguments.worlds {
-        match load::load(world, Vec::new()) {
+        match load::load(world, Vec::new(), false) {
             Ok(AnyWorld::Plane(sound)) => print(&describe(world, &sound))?,
             Ok(AnyWorld::Space(sound)) => print(&describe(world, &sound))?,
             Err(Refusal::BadInput(complaint)) => complaints.push(complaint.trim_end().to_owned()),

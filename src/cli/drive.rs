@@ -2,19 +2,18 @@
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
 use volary::checkpoint::{Checkpoint, Recording};
 use volary::dynamics::Snapshot;
 use volary::simulation::{Pause, Simulation};
+use volary::stop::Stop;
 use volary::trace::record::{Outcome, Record, Summary};
 use volary::trace::{BackgroundWriter, TraceError, write_summary};
 
 use super::progress::Progress;
-use super::{Refusal, files, print, profile, strain, summary};
+use super::{Refusal, files, interrupt, print, profile, strain, summary};
 
 /// A simulation, and the files that it writes.
 pub(super) struct Drive<'a, const D: usize> {
@@ -22,7 +21,7 @@ pub(super) struct Drive<'a, const D: usize> {
     pub(super) name: &'a str,
     pub(super) begin: Instant,
     /// Whether someone wants it to stop.
-    pub(super) stop: Arc<AtomicBool>,
+    pub(super) stop: Stop,
     pub(super) simulation: Simulation<D>,
     pub(super) trace: Option<(PathBuf, BackgroundWriter)>,
     /// The file of the summary, and whether it may overwrite another.
@@ -53,6 +52,7 @@ impl<const D: usize> Drive<'_, D> {
 
     /// Takes a simulation to its end, writes what was asked for and prints a summary.
     pub(super) fn go_on(mut self) -> Result<(), Refusal> {
+        interrupt::looks();
         self.simulation.measure(self.profile);
         let world = self.simulation.world();
         let progress = Progress::new(world.steps(), world.spec.time.step, self.quiet);
@@ -84,7 +84,7 @@ impl<const D: usize> Drive<'_, D> {
     }
 
     fn run(&mut self, progress: &Progress) -> Result<Summary, Refusal> {
-        let stop = Arc::clone(&self.stop);
+        let stop = self.stop.clone();
         let steps = self.simulation.world().steps();
         let pause = loop {
             let taken = self.simulation.snapshot().step;
@@ -92,7 +92,7 @@ impl<const D: usize> Drive<'_, D> {
             let end = (taken / every + 1).saturating_mul(every).min(steps);
             let mut watch = |state: &Snapshot<'_, D>| {
                 progress.show(state.step);
-                match stop.load(Ordering::Relaxed) {
+                match stop.asked() {
                     true => ControlFlow::Break(()),
                     false => ControlFlow::Continue(()),
                 }
@@ -101,6 +101,10 @@ impl<const D: usize> Drive<'_, D> {
                 .simulation
                 .advance(end, &mut recorder(&mut self.trace), &mut watch);
             let pause = advanced.map_err(Refusal::failed)?;
+            if pause == Pause::Stopped {
+                // What is left is a last frame, and a checkpoint where there are to be any.
+                interrupt::saves();
+            }
             // A state that fails fails again; one at the end has nothing before it.
             if matches!(pause, Pause::Failed(_)) || self.simulation.snapshot().step >= steps {
                 break pause;
@@ -197,17 +201,4 @@ impl Threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.map_err(Refusal::failed)?.install(work)
     }
-}
-
-/// A flag that the first Ctrl-C raises; the second ends the program at once.
-pub(super) fn stop_on_interrupt() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the program at once, which loses the summary only.
-    let _ = ctrlc::set_handler(move || {
-        if raised.swap(true, Ordering::Relaxed) {
-            std::process::exit(1);
-        }
-    });
-    stop
 }

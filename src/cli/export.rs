@@ -3,13 +3,12 @@
 use std::io::{self, ErrorKind};
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 
 use clap::{Args, ValueEnum};
 use volary::export::{Export, ExportError, Form, Selection, Table};
+use volary::stop::Stop;
 use volary::trace::{TraceError, TraceReader};
 
-use super::drive::stop_on_interrupt;
 use super::values::number;
 use super::{Refusal, files, note};
 
@@ -145,7 +144,7 @@ impl ExportArguments {
 }
 
 /// Exports a trace.
-pub(super) fn export(arguments: &ExportArguments) -> Result<(), Refusal> {
+pub(super) fn export(arguments: &ExportArguments, stop: &Stop) -> Result<(), Refusal> {
     let export = arguments.export()?;
     let (trace, out) = (&arguments.trace, &arguments.out);
     let to_file = !arguments.to_standard_output();
@@ -154,8 +153,7 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), Refusal> {
         ("export", to_file.then_some(out.as_path())),
     ])?;
     let reader = TraceReader::open(trace).map_err(Refusal::bad_input)?;
-    let stop = stop_on_interrupt();
-    let stop = || stop.load(Ordering::Relaxed);
+    let stop = || stop.asked();
     let exported = match to_file {
         true => export.write(reader, out, arguments.force, stop),
         false => {

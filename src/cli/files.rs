@@ -1,5 +1,6 @@
 //! The files that a run writes, looked at before it starts.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use volary::checkpoint::{Checkpoint, CheckpointError};
@@ -45,17 +46,25 @@ pub(super) fn apart(files: &[(&str, Option<&Path>)]) -> Result<(), Refusal> {
         .iter()
         .filter_map(|(what, path)| Some((*what, (*path)?)))
         .collect();
-    for (place, (what, path)) in files.iter().enumerate() {
-        let taken = files[..place].iter().find(|(_, other)| same(path, other));
+    // Where each file lies, and which it is on the disk: what it was first called.
+    let (mut places, mut linked) = (HashMap::new(), HashMap::new());
+    for (order, (what, path)) in files.iter().enumerate() {
+        let first = (order, *what);
+        let by_place = *places.entry(place(path)).or_insert(first);
+        let by_link = link(path).map(|link| *linked.entry(link).or_insert(first));
+        let taken = [Some(by_place), by_link].into_iter().flatten().min();
         let name = path.display();
-        match taken {
+        match taken
+            .filter(|(earlier, _)| *earlier != order)
+            .map(|(_, other)| other)
+        {
             None => {}
-            Some(("world", _)) => {
+            Some("world") => {
                 return Err(Refusal::bad_input(format!(
                     "{name}: the {what} would overwrite the world; give it another name"
                 )));
             }
-            Some((other, _)) => {
+            Some(other) => {
                 return Err(Refusal::bad_input(format!(
                     "{name}: {other} and {what} cannot share one file; give one of them \
                      another name"
@@ -95,11 +104,6 @@ pub(super) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// Whether two paths name one file, which need not be there yet.
-fn same(a: &Path, b: &Path) -> bool {
-    place(a) == place(b) || linked(a, b)
-}
-
 /// The path without links and dots, as far as it exists.
 fn place(path: &Path) -> Option<PathBuf> {
     path.canonicalize().ok().or_else(|| {
@@ -112,18 +116,16 @@ fn place(path: &Path) -> Option<PathBuf> {
     })
 }
 
-/// Whether two names stand for one file on disk.
+/// What two names of one file on disk have in common.
 #[cfg(unix)]
-fn linked(a: &Path, b: &Path) -> bool {
+fn link(path: &Path) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt;
-    match (a.metadata(), b.metadata()) {
-        (Ok(a), Ok(b)) => (a.dev(), a.ino()) == (b.dev(), b.ino()),
-        _ => false,
-    }
+    let data = path.metadata().ok()?;
+    Some((data.dev(), data.ino()))
 }
 
-/// Whether two names stand for one file on disk; not told apart here.
+/// What two names of one file on disk have in common; not told apart here.
 #[cfg(not(unix))]
-fn linked(_: &Path, _: &Path) -> bool {
-    false
+fn link(_: &Path) -> Option<(u64, u64)> {
+    None
 }

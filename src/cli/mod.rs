@@ -8,6 +8,7 @@ mod drive;
 mod export;
 mod figures;
 mod files;
+mod interrupt;
 mod load;
 mod plot;
 mod profile;
@@ -26,6 +27,7 @@ mod worlds;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
+use std::thread::JoinHandle;
 
 use clap::{Parser, Subcommand};
 
@@ -105,17 +107,33 @@ impl Refusal {
     }
 }
 
+/// Stack of the thread that commands run on. That of the main thread is as small as whoever
+/// starts the program likes, and too small for much that is read or built inside one another.
+const STACK: usize = 64 << 20;
+
 /// Parses the arguments, does what they say and returns the exit code.
 pub fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
-        Command::Run(arguments) => run::run(&arguments),
-        Command::Resume(arguments) => resume::resume(&arguments),
+    let thread = std::thread::Builder::new().stack_size(STACK);
+    match thread.spawn(obey).map(JoinHandle::join) {
+        Ok(Ok(code)) => code,
+        Ok(Err(panic)) => std::panic::resume_unwind(panic),
+        // Without a thread, here.
+        Err(_) => obey(),
+    }
+}
+
+fn obey() -> ExitCode {
+    let command = Arguments::parse().command;
+    let stop = &interrupt::heed_signals();
+    let done = match command {
+        Command::Run(arguments) => run::run(&arguments, stop),
+        Command::Resume(arguments) => resume::resume(&arguments, stop),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Reduce(arguments) => reduce::reduce(&arguments),
-        Command::Render(arguments) => render::render(&arguments),
+        Command::Render(arguments) => render::render(&arguments, stop),
         Command::Plot(arguments) => plot::plot(&arguments),
-        Command::Export(arguments) => export::export(&arguments),
+        Command::Export(arguments) => export::export(&arguments, stop),
         Command::Figures(arguments) => figures::figures(&arguments),
         Command::Claims(arguments) => claims::claims(&arguments),
         Command::Worlds(arguments) => worlds::worlds(&arguments),

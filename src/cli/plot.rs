@@ -138,6 +138,9 @@ fn level(text: &str) -> Result<Level, String> {
     }
 }
 
+/// Agents that can be asked for, repetitions counted.
+const MOST_AGENTS: usize = 1_000_000;
+
 fn list(text: &str) -> Result<List, String> {
     let problem = || "must be indices and ranges, as in 0,2,5-9".to_owned();
     let index = |text: &str| text.trim().parse::<usize>().map_err(|_| problem());
@@ -147,9 +150,12 @@ fn list(text: &str) -> Result<List, String> {
             Some((first, last)) => (index(first)?, index(last)?),
             None => (index(part)?, index(part)?),
         };
-        // More than any trace holds would only fill the memory.
-        if first > last || last - first > 1_000_000 {
+        if first > last {
             return Err(problem());
+        }
+        // More than any trace holds would only fill the memory.
+        if last - first >= MOST_AGENTS - agents.len().min(MOST_AGENTS) {
+            return Err(format!("must be at most {MOST_AGENTS} agents"));
         }
         agents.extend(first..=last);
     }

@@ -1,9 +1,11 @@
 //! A progress bar for when a person watches.
 
 use std::fmt::Write;
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use volary::world::{Stage, Watch};
 
 /// How far something long has come; draws nothing where no person watches.
 pub(super) struct Progress(ProgressBar);
@@ -31,6 +33,28 @@ impl Progress {
     pub(super) fn of_runs(steps: u64, quiet: bool) -> Self {
         let style = style("{bar:40} {percent} %, {speed} steps/s, {eta} left");
         Self::styled(steps, style, quiet)
+    }
+
+    /// A sign of life while something is prepared of which nobody knows how long it takes.
+    pub(super) fn of_preparation(what: String, quiet: bool) -> Self {
+        let progress = Self::styled(0, style("{spinner} {msg}"), quiet);
+        progress.0.set_message(what);
+        progress
+    }
+
+    /// Whom to tell how far a world has come.
+    pub(super) fn watch(&self, world: &str) -> Watch {
+        let (bar, world) = (self.0.clone(), world.to_owned());
+        Watch::new(move |stage| {
+            bar.set_message(match stage {
+                Stage::Reading => format!("reading {world}"),
+                Stage::Placing { placed, of } => {
+                    format!("{world}: placing agents, {placed} of {of}")
+                }
+                _ => format!("{world}: building obstacles"),
+            });
+            ControlFlow::Continue(())
+        })
     }
 
     fn styled(count: u64, style: ProgressStyle, quiet: bool) -> Self {

@@ -42,7 +42,7 @@ pub(super) fn reduce(arguments: &ReduceArguments) -> Result<(), Refusal> {
         ("world", Some(Path::new(&arguments.world))),
         ("leading order", arguments.out.as_deref()),
     ])?;
-    match load::load(&arguments.world, load::overrides(&arguments.set)?)? {
+    match load::load(&arguments.world, load::overrides(&arguments.set)?, false)? {
         AnyWorld::Plane(world) => reduce_world(arguments, &world),
         AnyWorld::Space(world) => reduce_world(arguments, &world),
     }

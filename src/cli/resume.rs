@@ -7,9 +7,10 @@ use clap::Args;
 use volary::checkpoint::{Checkpoint, Recording};
 use volary::dynamics::Engine;
 use volary::shape::In;
+use volary::stop::Stop;
 use volary::trace::{BackgroundWriter, TraceWriter, check_summary};
 
-use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
+use super::drive::{Drive, Keeper, Threads};
 use super::{Refusal, files, print, summary};
 
 const EXAMPLES: &str = "\
@@ -47,7 +48,7 @@ pub(super) struct ResumeArguments {
 }
 
 /// Goes on with a run.
-pub(super) fn resume(arguments: &ResumeArguments) -> Result<(), Refusal> {
+pub(super) fn resume(arguments: &ResumeArguments, stop: &Stop) -> Result<(), Refusal> {
     let path = &arguments.checkpoint;
     let checkpoint = Checkpoint::read(path).map_err(files::refuse_checkpoint)?;
     let Some(recording) = checkpoint.recording() else {
@@ -62,8 +63,8 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<(), Refusal> {
     arguments
         .threads
         .install(|| match checkpoint.world().dimension {
-            2 => resume_world::<2>(arguments, &checkpoint, recording),
-            _ => resume_world::<3>(arguments, &checkpoint, recording),
+            2 => resume_world::<2>(arguments, &checkpoint, recording, stop),
+            _ => resume_world::<3>(arguments, &checkpoint, recording, stop),
         })
 }
 
@@ -83,12 +84,12 @@ fn resume_world<const D: usize>(
     arguments: &ResumeArguments,
     checkpoint: &Checkpoint,
     recording: &Recording,
+    stop: &Stop,
 ) -> Result<(), Refusal>
 where
     In<D>: Engine<D>,
 {
     let begin = Instant::now();
-    let stop = stop_on_interrupt();
     let simulation = checkpoint
         .simulation::<D>(Vec::new())
         .map_err(files::refuse_checkpoint)?;
@@ -109,7 +110,7 @@ where
     Drive {
         name: checkpoint.name(),
         begin,
-        stop,
+        stop: stop.clone(),
         simulation,
         trace,
         summary,

@@ -7,11 +7,13 @@ use clap::{Args, ValueEnum};
 use volary::dynamics::{Accuracy, Dynamics, Engine};
 use volary::shape::In;
 use volary::simulation::Simulation;
+use volary::stop::Stop;
 use volary::trace::{BackgroundWriter, TraceWriter};
 use volary::world::check::on_a_step;
 use volary::world::{AnyWorld, Override, World};
 
-use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
+use super::drive::{Drive, Keeper, Threads};
+use super::progress::Progress;
 use super::values::number;
 use super::{Refusal, files, load};
 
@@ -140,23 +142,29 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
 }
 
 /// Runs a world, writes what was asked for and prints a summary.
-pub(super) fn run(arguments: &RunArguments) -> Result<(), Refusal> {
+pub(super) fn run(arguments: &RunArguments, stop: &Stop) -> Result<(), Refusal> {
     files::check(arguments)?;
-    let world = load::load(&arguments.world, arguments.overrides()?)?;
+    let world = load::load(&arguments.world, arguments.overrides()?, arguments.quiet)?;
     arguments.threads.install(|| match world {
-        AnyWorld::Plane(world) => run_world(arguments, world),
-        AnyWorld::Space(world) => run_world(arguments, world),
+        AnyWorld::Plane(world) => run_world(arguments, world, stop),
+        AnyWorld::Space(world) => run_world(arguments, world, stop),
     })
 }
 
-fn run_world<const D: usize>(arguments: &RunArguments, world: World<D>) -> Result<(), Refusal>
+fn run_world<const D: usize>(
+    arguments: &RunArguments,
+    world: World<D>,
+    stop: &Stop,
+) -> Result<(), Refusal>
 where
     In<D>: Engine<D>,
 {
     let begin = Instant::now();
-    let stop = stop_on_interrupt();
     let every = every(arguments, &world)?;
-    let simulation = Simulation::with_dynamics(world, Vec::new(), arguments.dynamics()?);
+    let (dynamics, quiet) = (arguments.dynamics()?, arguments.quiet);
+    let progress = Progress::of_preparation(format!("starting {}", arguments.world), quiet);
+    let simulation = Simulation::with_dynamics(world, Vec::new(), dynamics);
+    progress.finish();
     let simulation = simulation.map_err(|failure| match failure.is_bad_input() {
         true => Refusal::bad_input(format!("{}: {failure}", arguments.world)),
         false => Refusal::failed(format!("{} cannot start: {failure}", arguments.world)),
@@ -178,7 +186,7 @@ where
     Drive {
         name: &arguments.world,
         begin,
-        stop,
+        stop: stop.clone(),
         simulation,
         trace,
         summary: summary.map(|path| (path, arguments.force)),

@@ -1,5 +1,6 @@
 //! `volary validate`: what the papers' claims come to in some worlds.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -8,6 +9,7 @@ use volary::dynamics::{Accuracy, Engine};
 use volary::shape::In;
 use volary::validate::report::{Report, WorldReport};
 use volary::validate::{Wanted, form, report, validate as judge};
+use volary::world::spec::LawSpec;
 use volary::world::{AnyWorld, World, shipped};
 
 use super::drive::Threads;
@@ -72,16 +74,17 @@ enum Kind {
 
 /// Validates worlds, writes the reports asked for and prints one.
 pub(super) fn validate(arguments: &ValidateArguments) -> Result<(), Refusal> {
-    let mut names: Vec<String> = Vec::new();
-    for name in arguments.worlds.iter().flat_map(|name| expanded(name)) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
+    let mut known = HashSet::new();
+    let names = arguments.worlds.iter().flat_map(|name| expanded(name));
+    let names: Vec<String> = names.filter(|name| known.insert(name.clone())).collect();
     check_files(arguments, &names)?;
     let mut worlds = Vec::new();
     for name in &names {
-        worlds.push((name, load::load(name, load::overrides(&arguments.set)?)?));
+        let overrides = load::overrides(&arguments.set)?;
+        worlds.push((name, load::load(name, overrides, arguments.quiet)?));
+    }
+    for (name, world) in &worlds {
+        fits(name, world)?;
     }
     let wanted = Wanted {
         points: (arguments.dynamics != Kind::Bodies).then(|| {
@@ -122,6 +125,34 @@ where
         )),
         false => Refusal::failed(format!("{name}: {failure}")),
     })
+}
+
+/// Numbers that the observations of a run may hold, all of which are kept: 4 GiB.
+const MOST_NUMBERS: u64 = 1 << 29;
+
+/// Refuses a world whose observations would fill the memory.
+fn fits(name: &str, world: &AnyWorld) -> Result<(), Refusal> {
+    match world {
+        AnyWorld::Plane(world) => fits_in_memory(name, world),
+        AnyWorld::Space(world) => fits_in_memory(name, world),
+    }
+}
+
+fn fits_in_memory<const D: usize>(name: &str, world: &World<D>) -> Result<(), Refusal> {
+    let agents = world.agents.len() as u64;
+    let aligns = |(_, law): &(_, &LawSpec)| matches!(law, LawSpec::Alignment(_));
+    let (laws, aligning) = (world.laws().count(), world.laws().filter(aligns).count());
+    // Position, velocity, acceleration, jerk and what each law adds; influences of all on all.
+    let each = (4 + laws as u64) * D as u64 * agents + aligning as u64 * agents * agents;
+    let most = MOST_NUMBERS / each.max(1);
+    let observations = world.steps() / world.frame_steps() + 1;
+    match observations <= most {
+        true => Ok(()),
+        false => Err(Refusal::bad_input(format!(
+            "{name}: {observations} observations of {agents} agents do not fit in memory; allowed: \
+             at most {most}; record.every is the time between them"
+        ))),
+    }
 }
 
 /// The exit code's reason.

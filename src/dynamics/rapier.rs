@@ -13,7 +13,7 @@ use super::rapier::prelude::{
     ActiveHooks, ColliderBuilder, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
 use super::{D, angular, geometry, matrix, spin, weight, without_gyration};
-use crate::dynamics::contact::{Change, can_turn};
+use crate::dynamics::contact::{Change, can_turn, has_friction};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Unusable};
 use crate::math::{Matrix, Vector};
 use crate::parallel::{CHUNK, for_each};
@@ -46,8 +46,13 @@ fn unusable(error: postcard::Error) -> Unusable {
     Unusable(error.to_string())
 }
 
-/// The body of an agent and its collider.
-fn agent(world: &World<D>, i: usize, units: &Units) -> (RigidBodyBuilder, ColliderBuilder) {
+/// The body of an agent and its collider, in a world with friction or without.
+fn agent(
+    world: &World<D>,
+    i: usize,
+    friction: bool,
+    units: &Units,
+) -> (RigidBodyBuilder, ColliderBuilder) {
     let (agents, physics) = (&world.agents, &world.spec.physics);
     let group = &world.spec.agents[agents.group[i]];
     let solid = &world.solids[agents.group[i]];
@@ -57,7 +62,7 @@ fn agent(world: &World<D>, i: usize, units: &Units) -> (RigidBodyBuilder, Collid
         .linvel(units.length(&agents.velocities[i]))
         .can_sleep(false)
         .user_data(i as u128);
-    if !can_turn(world, agents.group[i]) {
+    if !can_turn(world, agents.group[i], friction) {
         body = body.lock_rotations();
     }
     if solid.is_ball() {
@@ -115,8 +120,9 @@ impl Rapier {
         parameters.contact_clustering = false;
 
         let agents = &world.agents;
+        let friction = has_friction(world);
         for i in 0..agents.len() {
-            let (body, collider) = agent(world, i, &units);
+            let (body, collider) = agent(world, i, friction, &units);
             engine.insert(body, collider);
         }
         for (index, obstacle) in world.obstacles.iter().enumerate() {

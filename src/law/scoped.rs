@@ -3,7 +3,7 @@
 use crate::law::{Law, Link, Pull};
 use crate::math::{Vector, mean};
 use crate::sense::Scene;
-use crate::world::spec::{GroupSpec, ScopeSpec};
+use crate::world::spec::{GroupSpec, ScopeSpec, acting_on};
 
 /// A law that acts on the agents of some groups only, or sees only some groups as
 /// neighbours. The means that it sees are those of the agents that it acts on.
@@ -29,10 +29,10 @@ impl<const D: usize> Scoped<D> {
             None => "*".to_owned(),
         };
         let (agents, neighbours) = (names(&scope.agents), names(&scope.neighbours));
-        let sees: Vec<bool> = groups.iter().map(|group| scope.sees(group)).collect();
+        let sees = scope.seeing(groups);
         Self {
             name: format!("{}({agents}<-{neighbours})", law.name()),
-            acts_on: groups.iter().map(|group| scope.acts_on(group)).collect(),
+            acts_on: acting_on(Some(scope), groups),
             sees: sees.contains(&false).then_some(sees),
             law,
             means: [Vector::zeros(); 2],

@@ -285,6 +285,11 @@ impl<const D: usize> Obstacle<D> {
         (max - at).abs().sup(&(min - at).abs()).norm()
     }
 
+    /// A box about each of its parts, where they are now; infinite for what has no bounds.
+    pub(crate) fn boxes_of_parts(&self) -> impl Iterator<Item = Bounds<D>> {
+        self.parts().iter().map(|part| part.bounds(&self.pose))
+    }
+
     /// Finds the bounds at the present pose.
     fn find_bounds(&mut self) {
         self.bounds = self.parts.bounds(&self.pose);

@@ -45,17 +45,18 @@ impl<const D: usize> Simulation<D> {
         }
     }
 
-    pub(super) fn frame(&mut self) -> Frame {
+    /// The state as it is recorded; without what takes long where it is to be brief.
+    pub(super) fn frame(&mut self, brief: bool) -> Frame {
         let begin = self.watches.frames.begin();
         // What frames ask the laws is no part of the steps.
         self.flock.measure(false);
-        let frame = self.new_frame();
+        let frame = self.new_frame(brief);
         self.flock.measure(begin.is_some());
         self.watches.frames.end(begin);
         frame
     }
 
-    fn new_frame(&mut self) -> Frame {
+    fn new_frame(&mut self, brief: bool) -> Frame {
         // Measured whether recorded or not: the smallest gaps so far are kept.
         let metrics = self.metrics();
         keep_least(&mut self.smallest_agent_gap, metrics.agent_gap);
@@ -89,12 +90,12 @@ impl<const D: usize> Simulation<D> {
                 .alpha_interaction()
                 .filter(|_| world.spec.record.edges)
                 .map(|alpha| Net::new(state.positions, alpha.range).edges().to_vec()),
-            net: (world.spec.record.net)
+            net: (world.spec.record.net && !brief)
                 .then(|| self.net_analysis.record(world, &state))
                 .flatten()
                 .map(Box::new),
             links: (world.spec.record.links).then(|| self.flock.links(&self.agents.state())),
-            laws: (world.spec.record.laws)
+            laws: (world.spec.record.laws && !brief)
                 .then(|| {
                     let state = self.agents.state();
                     laws_record(world, &Terms::new(&mut self.flock, &state), &state)

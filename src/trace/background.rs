@@ -3,9 +3,11 @@
 use std::path::Path;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 use super::record::Record;
 use super::{TraceError, TracePosition, TraceWriter};
+use crate::stop::Loose;
 
 /// Records that may wait to be written. More would only take memory: whoever writes for long
 /// slower than records come must hold them up.
@@ -13,6 +15,9 @@ const WAITING: usize = 64;
 
 /// Agents in the frames that may wait, for the same reason.
 const AGENTS_WAITING: usize = 200_000;
+
+/// How long the end of the process waits for what was not written yet.
+const PATIENCE: Duration = Duration::from_millis(30);
 
 /// Writes a trace while it happens, on a thread of its own: turning numbers into text,
 /// compressing and writing do not hold up the run.
@@ -29,6 +34,9 @@ pub struct BackgroundWriter {
     thread: Option<JoinHandle<Result<(), TraceError>>>,
     /// Agents in the frames that may still wait.
     agents: usize,
+    /// Has what waits written, as far as it may be, if the process ends early. It can give
+    /// orders, so it must go before the thread finds that nobody can.
+    loose: Option<Loose>,
 }
 
 /// What the thread is to do.
@@ -38,6 +46,8 @@ enum Order {
     Position(SyncSender<Result<TracePosition, TraceError>>),
     /// Tells that all that was ordered before is done.
     Done(SyncSender<()>),
+    /// The same, with all of it on its way to the disk.
+    Flush(SyncSender<()>),
     Finish,
 }
 
@@ -49,17 +59,27 @@ impl BackgroundWriter {
     pub fn new(writer: TraceWriter, path: &Path) -> Result<Self, TraceError> {
         let (orders, queue) = sync_channel(WAITING);
         let thread = thread::Builder::new().name("trace".to_owned());
-        let thread = thread
-            .spawn(move || obey(writer, &queue))
-            .map_err(|source| TraceError::Io {
-                action: "write",
-                name: path.display().to_string(),
-                source,
-            })?;
+        let begin = || thread.spawn(move || obey(writer, &queue));
+        let flush = orders.clone();
+        let tie = |_: &JoinHandle<_>| -> Box<dyn FnOnce() + Send> {
+            Box::new(move || {
+                let (reply, answer) = sync_channel(1);
+                // Where the queue is full, or the disk slow, what is written must do.
+                if flush.try_send(Order::Flush(reply)).is_ok() {
+                    let _ = answer.recv_timeout(PATIENCE);
+                }
+            })
+        };
+        let (thread, loose) = Loose::end(begin, tie).map_err(|source| TraceError::Io {
+            action: "write",
+            name: path.display().to_string(),
+            source,
+        })?;
         Ok(Self {
             orders: Some(orders),
             thread: Some(thread),
             agents: 0,
+            loose: Some(loose),
         })
     }
 
@@ -115,7 +135,7 @@ impl BackgroundWriter {
 
     /// Waits for the thread to end; nothing is left to be said the second time.
     fn end(&mut self) -> Result<(), TraceError> {
-        self.orders = None;
+        (self.orders, self.loose) = (None, None);
         match self.thread.take().map(JoinHandle::join) {
             Some(Ok(done)) => done,
             Some(Err(panic)) => std::panic::resume_unwind(panic),
@@ -127,7 +147,7 @@ impl BackgroundWriter {
 impl Drop for BackgroundWriter {
     fn drop(&mut self) {
         // There is nobody left to tell.
-        self.orders = None;
+        (self.orders, self.loose) = (None, None);
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
         }
@@ -144,6 +164,11 @@ fn obey(mut writer: TraceWriter, orders: &Receiver<Order>) -> Result<(), TraceEr
                 let _ = reply.send(writer.position());
             }
             Order::Done(reply) => {
+                let _ = reply.send(());
+            }
+            Order::Flush(reply) => {
+                // Who asked ends the process next.
+                writer.flush();
                 let _ = reply.send(());
             }
             Order::Finish => return writer.finish(),

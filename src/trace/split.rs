@@ -1,8 +1,12 @@
 //! The text of a trace, split into the text of its records.
 
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read};
 
 use super::format::Layout;
+
+/// Bytes of the longest record that is read: twice what a frame of ten million agents in space
+/// takes. Without an end, a stream that has no line ends would fill the memory.
+const LONGEST: usize = 2 << 30;
 
 /// Cuts a stream into the texts of records, in either layout, and counts lines.
 pub(super) struct Splitter<R> {
@@ -13,6 +17,8 @@ pub(super) struct Splitter<R> {
     /// What may come next in an array.
     expected: Expected,
     text: Vec<u8>,
+    /// Bytes of the longest record.
+    longest: usize,
 }
 
 /// The text of one record.
@@ -57,6 +63,7 @@ impl<R: BufRead> Splitter<R> {
             line: 1,
             expected: Expected::Opening,
             text: Vec::new(),
+            longest: LONGEST,
         }
     }
 
@@ -72,8 +79,18 @@ impl<R: BufRead> Splitter<R> {
     fn next_line(&mut self) -> Result<Option<Piece<'_>>, Fault> {
         while self.text.trim_ascii().is_empty() {
             self.text.clear();
-            if self.input.read_until(b'\n', &mut self.text)? == 0 {
+            let most = self.longest as u64 + 1;
+            let input = &mut self.input;
+            if input
+                .by_ref()
+                .take(most)
+                .read_until(b'\n', &mut self.text)?
+                == 0
+            {
                 return Ok(None);
+            }
+            if self.text.len() > self.longest {
+                return Err(self.too_long(self.line));
             }
             self.line += 1;
         }
@@ -92,7 +109,7 @@ impl<R: BufRead> Splitter<R> {
             self.expected = match (byte, self.expected) {
                 (b'{', FirstElement | Element) => {
                     self.expected = Separator;
-                    return self.take_object().map(Some).map_err(Fault::Io);
+                    return self.take_object().map(Some);
                 }
                 (b'[', Opening) => FirstElement,
                 (b',', Separator) => Element,
@@ -120,8 +137,16 @@ impl<R: BufRead> Splitter<R> {
         Ok(None)
     }
 
+    fn too_long(&self, line: u64) -> Fault {
+        let problem = format!(
+            "a record is longer than {} bytes, which is all that one may take",
+            self.longest
+        );
+        Fault::Stray { line, problem }
+    }
+
     /// Takes the object that begins here, up to the brace that closes it.
-    fn take_object(&mut self) -> io::Result<Piece<'_>> {
+    fn take_object(&mut self) -> Result<Piece<'_>, Fault> {
         let line = self.line;
         let (mut depth, mut in_string, mut escaped, mut closed) = (0_usize, false, false, false);
         while !closed {
@@ -143,6 +168,9 @@ impl<R: BufRead> Splitter<R> {
             });
             closed = end.is_some();
             let taken = end.map_or(bytes.len(), |last| last + 1);
+            if self.text.len() + taken > self.longest {
+                return Err(self.too_long(line));
+            }
             self.text.extend_from_slice(&bytes[..taken]);
             self.input.consume(taken);
         }
@@ -151,5 +179,52 @@ impl<R: BufRead> Splitter<R> {
             line,
             closed,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The lengths of the pieces, or what is wrong.
+    fn pieces(text: impl Read, layout: Layout) -> Result<Vec<usize>, String> {
+        let mut splitter = Splitter::new(io::BufReader::new(text), layout);
+        splitter.longest = 30;
+        let mut lengths = Vec::new();
+        loop {
+            match splitter.next() {
+                Ok(Some(piece)) => lengths.push(piece.text.trim_ascii().len()),
+                Ok(None) => return Ok(lengths),
+                Err(Fault::Stray { line, problem }) => return Err(format!("{line}: {problem}")),
+                Err(Fault::Io(error)) => return Err(error.to_string()),
+            }
+        }
+    }
+
+    #[test]
+    fn a_record_without_end_is_refused() {
+        let long = |length: usize| format!("{{\"a\":\"{}\"}}", "x".repeat(length - 8));
+        let too_long = "is longer than 30 bytes";
+        for layout in [Layout::Lines, Layout::Array] {
+            let all = |records: &[String]| match layout {
+                Layout::Lines => records.join("\n"),
+                Layout::Array => format!("[{}]", records.join(",\n")),
+            };
+            let fits = all(&[long(20), long(30)]);
+            assert_eq!(pieces(fits.as_bytes(), layout), Ok(vec![20, 30]));
+            let beyond = pieces(all(&[long(20), long(31)]).as_bytes(), layout).unwrap_err();
+            assert!(
+                beyond.starts_with("2: ") && beyond.contains(too_long),
+                "{beyond}"
+            );
+            let start: &[u8] = if layout == Layout::Lines { b"{" } else { b"[{" };
+            let endless = pieces(start.chain(io::repeat(b'x')), layout).unwrap_err();
+            assert!(endless.contains(too_long), "{endless}");
+        }
+        assert!(
+            pieces(io::repeat(b' '), Layout::Lines)
+                .unwrap_err()
+                .contains(too_long)
+        );
     }
 }

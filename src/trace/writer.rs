@@ -183,6 +183,14 @@ impl<W: Write> TraceWriter<W> {
             .map(drop)
     }
 
+    /// Hands on all that was written, as far as that can be done.
+    pub(super) fn flush(&mut self) {
+        if let Some(sink) = &mut self.sink {
+            // Whatever fails fails again at the next record, which tells of it.
+            let _ = sink.flush();
+        }
+    }
+
     /// Hands the text to the sink, which the first call opens.
     fn put(&mut self) -> io::Result<()> {
         if let Some(target) = self.target.take() {

@@ -17,7 +17,7 @@ pub fn part(pointer: &str) -> &'static Value {
 }
 
 /// The schema itself, or the one that it refers to.
-fn resolve(schema: &'static Value) -> &'static Value {
+pub fn resolve(schema: &'static Value) -> &'static Value {
     match schema["$ref"].as_str() {
         Some(reference) => resolve(part(reference.trim_start_matches('#'))),
         None => schema,

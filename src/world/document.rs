@@ -1,5 +1,8 @@
 //! A world file being read: its text, and what is set from outside.
 
+use std::panic::resume_unwind;
+use std::sync::Mutex;
+
 use serde_json::Value;
 
 use super::check;
@@ -8,7 +11,12 @@ use super::report::Report;
 use super::resolve::AnyWorld;
 use super::set::Override;
 use super::spec::WorldSpec;
+use super::watch::{Stage, Watch};
 use super::{syntax, validate};
+
+/// Stack for reading, in bytes. Brackets may stand 127 deep, and an override a hundred deep more;
+/// without optimisation a level takes a few kilobytes.
+const STACK: usize = 16 << 20;
 
 /// The text of a world file with the overrides that apply to it.
 ///
@@ -20,6 +28,7 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
+    watch: Watch,
 }
 
 impl Document {
@@ -29,12 +38,19 @@ impl Document {
             name: name.into(),
             text: text.into(),
             overrides: Vec::new(),
+            watch: Watch::default(),
         }
     }
 
     /// The same document with more overrides, which apply in order.
     pub fn with(mut self, overrides: impl IntoIterator<Item = Override>) -> Self {
         self.overrides.extend(overrides);
+        self
+    }
+
+    /// The same document, with someone who watches while it becomes a world.
+    pub fn watched(mut self, watch: Watch) -> Self {
+        self.watch = watch;
         self
     }
 
@@ -45,25 +61,45 @@ impl Document {
 
     /// The checked world, or everything that is wrong with it.
     pub fn spec(&self) -> Result<WorldSpec, Report> {
+        with_room(|| self.read())
+    }
+
+    /// The resolved world under a name of its own, or everything that is wrong with it.
+    pub fn world(&self, name: impl Into<String>) -> Result<AnyWorld, Report> {
+        let name = name.into();
+        // In one go: what reading frees serves the world, as it does not from thread to thread.
+        with_room(|| {
+            self.tell(Stage::Reading)?;
+            let spec = self.read()?;
+            AnyWorld::resolve(name, spec, &self.watch).map_err(|problems| self.report(problems))
+        })
+    }
+
+    /// Problems, found here or later, placed in this document by their paths.
+    pub fn report(&self, problems: Vec<Problem>) -> Report {
+        Report::placed(&self.name, &self.text, &self.overrides, problems)
+    }
+
+    fn read(&self) -> Result<WorldSpec, Report> {
         let mut world = syntax::value(&self.text)
             .map_err(|found| Report::found(&self.name, &self.text, found))?;
         self.clear(self.override_in(&mut world))?;
         settle_whole_numbers(&mut world);
-        self.clear(validate::problems(&world))?;
+        let problems = validate::problems(&world);
+        if !problems.is_empty() {
+            // It takes far more memory than the text, and telling of problems takes as much.
+            drop(world);
+            return Err(self.report(problems));
+        }
         let spec: WorldSpec = serde_json::from_value(world)
             .map_err(|error| self.report(vec![Problem::new("", error.to_string())]))?;
         self.clear(check::joint_problems(&spec))?;
         Ok(spec)
     }
 
-    /// The resolved world under a name of its own, or everything that is wrong with it.
-    pub fn world(&self, name: impl Into<String>) -> Result<AnyWorld, Report> {
-        AnyWorld::resolve(name.into(), self.spec()?).map_err(|problems| self.report(problems))
-    }
-
-    /// Problems, found here or later, placed in this document by their paths.
-    pub fn report(&self, problems: Vec<Problem>) -> Report {
-        Report::placed(&self.name, &self.text, &self.overrides, problems)
+    fn tell(&self, stage: Stage) -> Result<(), Report> {
+        let told = self.watch.tell(stage);
+        told.map_err(|stopped| self.report(vec![stopped]))
     }
 
     fn clear(&self, problems: Vec<Problem>) -> Result<(), Report> {
@@ -77,6 +113,22 @@ impl Document {
         let results = self.overrides.iter().map(|set| set.apply(world));
         results.filter_map(Result::err).collect()
     }
+}
+
+/// Does something on a stack of its own: what stands inside one another is read so as well, and
+/// the caller's stack may be small.
+fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    let work = Mutex::new(Some(work));
+    let todo = || work.lock().ok().and_then(|mut work| work.take());
+    let there = std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK);
+        let thread = thread
+            .spawn_scoped(scope, || todo().map(|work| work()))
+            .ok()?;
+        thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+    });
+    // Where the system has no thread to give, here.
+    there.unwrap_or_else(|| todo().expect("it was not begun")())
 }
 
 /// Writes 10.0 and 1e1 as 10: JSON Schema takes them for whole numbers, serde

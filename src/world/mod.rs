@@ -6,9 +6,12 @@
 
 mod agents;
 pub mod check;
+mod crowd;
+mod crowded_start;
 mod describe;
 pub mod document;
 mod graph;
+pub mod limits;
 mod obstacles;
 mod overlap;
 pub mod path;
@@ -22,10 +25,13 @@ pub mod shipped;
 mod sites;
 mod span;
 pub mod spec;
+mod standing;
 mod start_distance;
+mod strict;
 mod syntax;
 mod validate;
 mod velocity;
+mod watch;
 mod words;
 
 pub use agents::Agents;
@@ -34,6 +40,7 @@ pub use problem::Problem;
 pub use report::Report;
 pub use resolve::{AnyWorld, World};
 pub use set::{Override, OverrideError};
+pub use watch::{Stage, Watch};
 pub use words::nearest_path;
 
 use crate::math::Vector;

@@ -3,6 +3,7 @@
 use crate::math::{Vector, axis, direction};
 use crate::shape::surface::{self, Bent};
 use crate::shape::{Acting, Easing, Geometry, In, Motion, Obstacle, Part, Pose, Shape};
+use crate::world::crowd;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     BetaAgents, CompoundPart, EasingSpec, Heights, MotionSpec, ObstacleSpec, Rotation, ShapeSpec,
@@ -31,6 +32,9 @@ where
                 problems.push(Problem::new(path, what));
             }
         }
+    }
+    if problems.is_empty() {
+        problems.extend(crowd::problem(&obstacles));
     }
     if problems.is_empty() {
         Ok(obstacles)

@@ -6,11 +6,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::shape::{Obstacle, Solid};
+use crate::shape::{Boxes, Obstacle, Reach, Solid};
 use crate::world::agents::Agents;
 use crate::world::placement::{ROUNDING, agent_name, misplaced};
 use crate::world::problem::Problem;
 use crate::world::spec::{GroupSpec, PlacementSpec};
+use crate::world::standing::Standing;
 use crate::world::words::number;
 
 /// What is in the way of every body with a given place that, or whose neighbour, is not round.
@@ -42,29 +43,48 @@ pub(super) fn overlaps<const D: usize>(
         let group = agents.group[i];
         agent_name(group, i - first[group], kind(i) == Some("explicit"))
     };
-    // Each body whose place is given, with the first other in its way.
+    // Each body whose place is given, with the first other in its way. As for those that are
+    // drawn, who is in somebody's way is in nobody else's, so that many at one place are no more
+    // work than many apart.
     let mut found: BTreeMap<usize, String> = BTreeMap::new();
-    let mut pairs: Vec<_> = near_pairs(agents, |i| agents.radius[i]).collect();
-    pairs.sort_unstable();
-    for (a, b) in pairs {
-        let (one, other) = (a.max(b), a.min(b));
-        if !fixed(one) || (ball(a) && ball(b)) {
-            continue;
-        }
-        let touching = -ROUNDING * (agents.radius[a] + agents.radius[b]);
-        let gap = solid(a).gap(&agents.pose(a), solid(b), &agents.pose(b));
-        if gap < touching {
-            let depth = number(-gap);
-            let what = format!("overlaps {}, by {depth}", name(other));
-            found.entry(one).or_insert(what);
+    let rooms = solids.iter().map(|solid| 2.0 * solid.radius());
+    let mut standing = Standing::new(rooms);
+    for one in 0..agents.len() {
+        let (at, room) = (&agents.positions[one], 2.0 * agents.radius[one]);
+        let in_the_way = |other: usize| {
+            let reach = agents.radius[one] + agents.radius[other];
+            if (ball(one) && ball(other)) || (agents.positions[other] - at).norm() >= reach {
+                return None;
+            }
+            let gap = solid(one).gap(&agents.pose(one), solid(other), &agents.pose(other));
+            (gap < -ROUNDING * reach).then_some((other, gap))
+        };
+        let first = match fixed(one) {
+            true => standing
+                .near(at, room)
+                .copied()
+                .filter_map(in_the_way)
+                .min_by_key(|it| it.0),
+            false => None,
+        };
+        match first {
+            Some((other, gap)) => {
+                let what = format!("overlaps {}, by {}", name(other), number(-gap));
+                found.insert(one, what);
+            }
+            None => standing.put(at, room, one),
         }
     }
+    let mut boxes = Boxes::default();
+    boxes.about(obstacles);
     for i in (0..agents.len()).filter(|i| fixed(*i) && !ball(*i)) {
         let reach = agents.radius[i];
-        for (index, obstacle) in obstacles.iter().enumerate() {
-            if !obstacle.may_reach(&agents.positions[i], reach) {
-                continue;
-            }
+        let point = agents.positions[i];
+        for index in boxes.reached(Reach::Around {
+            point,
+            range: reach,
+        }) {
+            let obstacle = &obstacles[index];
             let gap = obstacle.gap(solid(i), &agents.pose(i));
             if gap < -ROUNDING * reach {
                 let what = format!(
@@ -84,36 +104,4 @@ pub(super) fn overlaps<const D: usize>(
         _ => Problem::new(name(i), what),
     };
     found.into_iter().map(problem).collect()
-}
-
-/// The pairs of agents that are nearer to each other than the reaches of both add up to, by a
-/// sweep along an axis; in its order, the agent that comes first in the world first.
-pub(super) fn near_pairs<const D: usize>(
-    agents: &Agents<D>,
-    reach: impl Fn(usize) -> f64,
-) -> impl Iterator<Item = (usize, usize)> {
-    // Along the axis over which they are spread most, few stand side by side.
-    let spread = |k: usize| {
-        let places = agents.positions.iter().map(|at| at[k]);
-        places.clone().fold(f64::MIN, f64::max) - places.fold(f64::MAX, f64::min)
-    };
-    let along = (0..D)
-        .max_by(|a, b| spread(*a).total_cmp(&spread(*b)))
-        .unwrap_or(0);
-    let starts: Vec<f64> = (0..agents.len())
-        .map(|i| agents.positions[i][along] - reach(i))
-        .collect();
-    let mut order: Vec<usize> = (0..agents.len()).collect();
-    order.sort_by(|&a, &b| starts[a].total_cmp(&starts[b]).then(a.cmp(&b)));
-    (0..order.len()).flat_map(move |rank| {
-        let a = order[rank];
-        let end = agents.positions[a][along] + reach(a);
-        let near = order[rank + 1..].iter().copied();
-        let near = near.take_while(|&b| starts[b] <= end).filter(|&b| {
-            let apart = (agents.positions[a] - agents.positions[b]).norm();
-            apart < reach(a) + reach(b)
-        });
-        let pairs: Vec<_> = near.map(|b| (a.min(b), a.max(b))).collect();
-        pairs
-    })
 }

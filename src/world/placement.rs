@@ -1,14 +1,16 @@
 //! Where agents start: separated from each other and clear of obstacles, or refused.
 
-use std::collections::HashMap;
-
 use crate::math::Vector;
-use crate::shape::{Obstacle, Solid};
+use crate::shape::{Boxes, Obstacle, Reach, Solid};
+use crate::world::check::size;
+use crate::world::limits::MOST_PROBLEMS;
 use crate::world::problem::Problem;
 use crate::world::random::{Purpose, Random};
 use crate::world::sites::{self, Hexagonal};
 use crate::world::spec::{GroupSpec, PlacementSpec};
+use crate::world::standing::Standing;
 use crate::world::vector;
+use crate::world::watch::{Stage, Watch};
 use crate::world::words::number;
 
 /// Draws for one agent before a random placement gives up. Random sequential placement
@@ -19,13 +21,19 @@ const DRAWS: usize = 20_000;
 /// at which they touch is forgiven.
 pub(super) const ROUNDING: f64 = 1e-9;
 
-/// The agents placed so far, in cells of a fixed size. Only bodies in nobody's way are
-/// there, so that cells stay sparse even where a file lists all agents at one place.
+/// The agents placed so far. Only bodies in nobody's way are there, so that they stand sparse
+/// even where a file lists all agents at one place.
 pub(super) struct Placement<'a, const D: usize> {
     solids: &'a [Solid<D>],
     obstacles: &'a [Obstacle<D>],
-    side: f64,
-    cells: HashMap<[i64; D], Vec<Placed<D>>>,
+    boxes: Boxes<D>,
+    placed: Standing<D, Placed<D>>,
+    /// The room of each group's bodies.
+    rooms: Vec<f64>,
+    watch: &'a Watch,
+    agents: usize,
+    /// Looks for places so far.
+    looks: usize,
 }
 
 /// A body that has its place.
@@ -53,16 +61,43 @@ impl<'a, const D: usize> Placement<'a, D> {
         groups: &[GroupSpec],
         solids: &'a [Solid<D>],
         obstacles: &'a [Obstacle<D>],
+        watch: &'a Watch,
     ) -> Self {
-        let widest = solids.iter().map(|solid| 2.0 * solid.radius());
-        let separations = groups
-            .iter()
-            .filter_map(|group| separation(&group.positions));
+        let rooms: Vec<f64> = (groups.iter().zip(solids))
+            .map(|(group, solid)| {
+                let apart = separation(&group.positions).unwrap_or(0.0);
+                apart.max(2.0 * solid.radius())
+            })
+            .collect();
+        let mut boxes = Boxes::default();
+        boxes.about(obstacles);
         Self {
             solids,
             obstacles,
-            side: widest.chain(separations).fold(f64::MIN_POSITIVE, f64::max),
-            cells: HashMap::new(),
+            boxes,
+            placed: Standing::new(rooms.iter().copied()),
+            rooms,
+            watch,
+            agents: groups
+                .iter()
+                .filter_map(size)
+                .fold(0, usize::saturating_add),
+            looks: 0,
+        }
+    }
+
+    /// Tells now and then how far it is, before another look for a place.
+    fn look(&mut self) -> Result<(), Vec<Problem>> {
+        /// Looks take about a microsecond.
+        const LOOKS: usize = 4096;
+        self.looks += 1;
+        match self.looks % LOOKS {
+            1 => {
+                let (placed, of) = (self.placed.len(), self.agents);
+                let told = self.watch.tell(Stage::Placing { placed, of });
+                told.map_err(|stopped| vec![stopped])
+            }
+            _ => Ok(()),
         }
     }
 
@@ -118,6 +153,10 @@ impl<'a, const D: usize> Placement<'a, D> {
         let mut problems = Vec::new();
         let mut places = Vec::new();
         for (index, position) in positions.iter().enumerate() {
+            self.look()?;
+            if problems.len() >= MOST_PROBLEMS {
+                break;
+            }
             let body = Placed {
                 group: group_index,
                 index,
@@ -147,6 +186,7 @@ impl<'a, const D: usize> Placement<'a, D> {
         sites: Vec<Vector<D>>,
     ) -> Result<Vec<Vector<D>>, Vec<Problem>> {
         for (index, &position) in sites.iter().enumerate() {
+            self.look()?;
             let body = Placed {
                 group: group_index,
                 index,
@@ -187,8 +227,16 @@ impl<'a, const D: usize> Placement<'a, D> {
                 radius: self.solids[group_index].radius(),
                 position,
             };
-            let mut draws = (0..DRAWS).map(|_| body(candidate()));
-            let Some(body) = draws.find(|body| self.conflict(body, apart).is_none()) else {
+            let mut found = None;
+            for _ in 0..DRAWS {
+                self.look()?;
+                let body = body(candidate());
+                if self.conflict(&body, apart).is_none() {
+                    found = Some(body);
+                    break;
+                }
+            }
+            let Some(body) = found else {
                 let distance = number(apart.max(2.0 * self.solids[group_index].radius()));
                 let problem = Problem::new(
                     format!("agents[{group_index}].positions.{kind}"),
@@ -209,33 +257,31 @@ impl<'a, const D: usize> Placement<'a, D> {
     /// What is in the way of a body: another body closer than touching, an agent of the
     /// same group closer than `apart`, or an obstacle.
     fn conflict(&self, body: &Placed<D>, apart: f64) -> Option<Conflict<'a, D>> {
-        let cell = self.cell(&body.position);
-        for shift in 0..3usize.pow(D as u32) {
-            let near: [i64; D] = std::array::from_fn(|axis| {
-                let step = (shift / 3usize.pow(axis as u32) % 3) as i64 - 1;
-                cell[axis].saturating_add(step)
-            });
-            for other in self.cells.get(&near).into_iter().flatten() {
-                let touching = self.touching(body, other);
-                let least = if other.group == body.group {
-                    touching.max(apart)
-                } else {
-                    touching
-                };
-                if (other.position - body.position).norm() < least {
-                    return Some(Conflict::Agent(*other));
-                }
-            }
+        let others = self.placed.near(&body.position, self.rooms[body.group]);
+        let mut in_the_way = others.filter(|other| {
+            let touching = self.touching(body, other);
+            let least = match other.group == body.group {
+                true => touching.max(apart),
+                false => touching,
+            };
+            (other.position - body.position).norm() < least
+        });
+        // A message names the first one.
+        let found = match body.fixed {
+            true => in_the_way.min_by_key(|other| (other.group, other.index)),
+            false => in_the_way.next(),
+        };
+        if let Some(other) = found {
+            return Some(Conflict::Agent(*other));
         }
         let touching = body.radius * (1.0 - ROUNDING);
         if body.fixed && !self.solids[body.group].is_ball() {
             return None;
         }
-        let blocks = |obstacle: &Obstacle<D>| {
-            obstacle.may_reach(&body.position, body.radius)
-                && obstacle.project(&body.position).distance < touching
-        };
-        let index = self.obstacles.iter().position(blocks)?;
+        let (point, range) = (body.position, body.radius);
+        let mut near = self.boxes.reached(Reach::Around { point, range });
+        let blocks = |index: &usize| self.obstacles[*index].project(&point).distance < touching;
+        let index = near.find(blocks)?;
         Some(Conflict::Obstacle(index, &self.obstacles[index]))
     }
 
@@ -251,12 +297,8 @@ impl<'a, const D: usize> Placement<'a, D> {
     }
 
     fn insert(&mut self, body: Placed<D>) {
-        let cell = self.cell(&body.position);
-        self.cells.entry(cell).or_default().push(body);
-    }
-
-    fn cell(&self, place: &Vector<D>) -> [i64; D] {
-        std::array::from_fn(|axis| (place[axis] / self.side).floor() as i64)
+        let room = self.rooms[body.group];
+        self.placed.put(&body.position, room, body);
     }
 }
 
@@ -335,7 +377,12 @@ mod tests {
         let group: GroupSpec = serde_json::from_value(group).unwrap();
         let groups = std::slice::from_ref(&group);
         let solids = crate::world::agents::solids(groups).unwrap();
-        let placed = Placement::<D>::new(groups, &solids, &[]).place(0, &group, positions.len(), 1);
+        let placed = Placement::<D>::new(groups, &solids, &[], &Watch::default()).place(
+            0,
+            &group,
+            positions.len(),
+            1,
+        );
         placed.err().unwrap_or_default()
     }
 
@@ -386,7 +433,9 @@ mod tests {
         let pole = Pose::new(Vector::zeros(), [0.0; 3]);
         let pole = Obstacle::new("pole".into(), Shape::Ball { radius: 0.5 }, pole).unwrap();
         let balls = [1.0, 0.5].map(|radius| Solid::new(Shape::Ball { radius }).unwrap());
-        let mut placement = Placement::<2>::new(&groups, &balls, std::slice::from_ref(&pole));
+        let watch = Watch::default();
+        let mut placement =
+            Placement::<2>::new(&groups, &balls, std::slice::from_ref(&pole), &watch);
         let far = |positions: Vec<Vector<2>>| {
             let squares = positions.iter().map(|at| (at.norm_squared() / 4.0).round());
             squares.collect::<Vec<_>>()

@@ -1,14 +1,16 @@
 //! What is wrong with one world, said where it stands.
 
+use std::collections::HashMap;
 use std::fmt;
 use std::ops::Range;
 
 use ariadne::{Color, Config, IndexType, Label, ReportKind, Source};
 
-use super::path::Path;
+use super::limits::MOST_PROBLEMS;
+use super::path::{Path, Step};
 use super::problem::Problem;
 use super::set::Override;
-use super::span::{self, line_and_column};
+use super::span::{Lines, Spots};
 use super::syntax::{self, Found};
 use super::words::shorten;
 
@@ -58,19 +60,19 @@ impl Report {
         problems: Vec<Problem>,
     ) -> Self {
         let tree = syntax::tree(text).ok();
-        let place = |problem: &Problem| {
+        let mut spots = tree.as_ref().map(Spots::new);
+        let set = Overridden::by(overrides);
+        let mut place = |problem: &Problem| {
             let Ok(path) = problem.path.parse::<Path>() else {
                 return Place::Nowhere;
             };
-            let setting = |set: &&Override| set.path().leads_to(&path);
-            if let Some(set) = overrides.iter().rev().find(setting) {
+            if let Some(set) = set.around(&path) {
                 return on_override(set, &path);
             }
-            let Some(spot) = tree.as_ref().map(|root| span::find(root, &path)) else {
+            let Some(spot) = spots.as_mut().map(|spots| spots.find(&path)) else {
                 return Place::Nowhere;
             };
-            let making = |set: &&Override| path.leads_to(set.path());
-            match overrides.iter().rev().find(making) {
+            match set.inside(&path) {
                 Some(set) if !spot.whole => on_override(set, &path),
                 None if !spot.whole => Place::Default(spot.value),
                 _ if problem.name_is_wrong => Place::File(spot.name.unwrap_or(spot.value)),
@@ -115,9 +117,10 @@ impl Report {
     pub fn render(&self, color: bool) -> String {
         let mut out = String::new();
         let mut source = (self.name.as_str(), Source::from(self.text.as_str()));
+        let lines = Lines::new(&self.text);
         for entry in self.shown() {
             let drawn = self.draw(entry, color, &mut source);
-            out += &drawn.unwrap_or_else(|| format!("Error: {}\n", self.line(entry)));
+            out += &drawn.unwrap_or_else(|| format!("Error: {}\n", self.line(&lines, entry)));
         }
         if let Some(rest) = self.rest() {
             out += &rest;
@@ -170,10 +173,10 @@ impl Report {
     }
 
     /// One problem on one line, with everything that is known about it.
-    fn line(&self, entry: &Entry) -> String {
+    fn line(&self, lines: &Lines, entry: &Entry) -> String {
         let mut line = match &entry.place {
             Place::File(bytes) | Place::Default(bytes) => {
-                let (line, column) = line_and_column(&self.text, bytes.start);
+                let (line, column) = lines.place(bytes.start);
                 format!("{}:{line}:{column}: ", self.name)
             }
             Place::Override { text, .. } => format!("{}: {text}: ", self.name),
@@ -239,6 +242,12 @@ impl Report {
     fn rest(&self) -> Option<String> {
         match self.entries.len() - self.shown().len() {
             0 => None,
+            // Who looked stopped there.
+            _ if self.entries.len() >= MOST_PROBLEMS => Some(format!(
+                "{}: and more than {} others",
+                self.name,
+                MOST_PROBLEMS - SHOWN - 1
+            )),
             rest => Some(format!("{}: and {rest} more", self.name)),
         }
     }
@@ -246,13 +255,52 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines = self.shown().iter().map(|entry| self.line(entry));
+        let places = Lines::new(&self.text);
+        let lines = self.shown().iter().map(|entry| self.line(&places, entry));
         let lines: Vec<String> = lines.chain(self.rest()).collect();
         f.write_str(&lines.join("\n"))
     }
 }
 
 impl std::error::Error for Report {}
+
+/// What overrides set, to be looked up.
+struct Overridden<'a> {
+    overrides: &'a [Override],
+    /// The place of the last override of each path.
+    at: HashMap<&'a [Step], usize>,
+    /// The place of the last override of something that a path leads to.
+    below: HashMap<&'a [Step], usize>,
+}
+
+impl<'a> Overridden<'a> {
+    fn by(overrides: &'a [Override]) -> Self {
+        let (mut at, mut below) = (HashMap::new(), HashMap::new());
+        for (index, set) in overrides.iter().enumerate() {
+            let steps = set.path().0.as_slice();
+            at.insert(steps, index);
+            below.extend((0..=steps.len()).map(|length| (&steps[..length], index)));
+        }
+        Self {
+            overrides,
+            at,
+            below,
+        }
+    }
+
+    /// The last override that sets the value at a path, or something that holds it.
+    fn around(&self, path: &Path) -> Option<&'a Override> {
+        let holders = (0..=path.0.len()).map(|length| &path.0[..length]);
+        let last = holders.filter_map(|steps| self.at.get(steps)).max()?;
+        Some(&self.overrides[*last])
+    }
+
+    /// The last override that sets something inside the value at a path.
+    fn inside(&self, path: &Path) -> Option<&'a Override> {
+        let last = self.below.get(path.0.as_slice())?;
+        Some(&self.overrides[*last])
+    }
+}
 
 fn on_override(set: &Override, path: &Path) -> Place {
     Place::Override {

@@ -4,16 +4,19 @@ use crate::math::Vector;
 use crate::shape::{Geometry, In, Obstacle, Solid};
 use crate::world::agents::{self, Agents, solids};
 use crate::world::check;
+use crate::world::crowded_start::too_many;
+use crate::world::limits::MOST_PROBLEMS;
 use crate::world::obstacles;
 use crate::world::overlap::overlaps;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
 use crate::world::spec::{
-    AlphaInteractionSpec, LawSpec, ScopeSpec, WorldSpec, acts_on, each_law, each_law_mut,
+    AlphaInteractionSpec, LawSpec, ScopeSpec, WorldSpec, acting_on, acts_on, each_law, each_law_mut,
 };
 use crate::world::start_distance::too_near;
 use crate::world::vector_or_zero;
 use crate::world::velocity::velocities;
+use crate::world::watch::{Stage, Watch};
 
 /// A world of either dimension.
 #[derive(Debug)]
@@ -50,15 +53,19 @@ impl AnyWorld {
     /// Everything that is wrong with it.
     pub fn new(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
         sound(&spec)?;
-        Self::resolve(name.into(), spec)
+        Self::resolve(name.into(), spec, &Watch::default())
     }
 
     /// Resolves a checked world; the problems left are those that only placing the agents
     /// and building the obstacles can find.
-    pub(super) fn resolve(name: String, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+    pub(super) fn resolve(
+        name: String,
+        spec: WorldSpec,
+        watch: &Watch,
+    ) -> Result<Self, Vec<Problem>> {
         match spec.dimension {
-            2 => World::resolve(name, spec).map(Self::Plane),
-            _ => World::resolve(name, spec).map(Self::Space),
+            2 => World::resolve(name, spec, watch).map(Self::Plane),
+            _ => World::resolve(name, spec, watch).map(Self::Space),
         }
     }
 }
@@ -77,16 +84,19 @@ where
             return Err(vec![problem]);
         }
         sound(&spec)?;
-        Self::resolve(name.into(), spec)
+        Self::resolve(name.into(), spec, &Watch::default())
     }
 
-    fn resolve(name: String, mut spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+    fn resolve(name: String, mut spec: WorldSpec, watch: &Watch) -> Result<Self, Vec<Problem>> {
+        watch
+            .tell(Stage::Building)
+            .map_err(|stopped| vec![stopped])?;
         let obstacles = obstacles::build(&spec.obstacles)?;
         for group in &mut spec.agents {
             group.count = check::size(group);
         }
         let solids = solids(&spec.agents)?;
-        let mut placement = Placement::new(&spec.agents, &solids, &obstacles);
+        let mut placement = Placement::new(&spec.agents, &solids, &obstacles, watch);
         let mut agents = Agents::default();
         let mut problems = Vec::new();
         for (index, group) in spec.agents.iter().enumerate() {
@@ -100,11 +110,15 @@ where
                 }
                 Err(found) => problems.extend(found),
             }
+            if problems.len() >= MOST_PROBLEMS {
+                return Err(problems);
+            }
             problems.extend(agents.add_bodies(index, group, count, &solids[index]));
         }
         if problems.is_empty() {
             problems = overlaps(&spec.agents, &solids, &agents, &obstacles);
             problems.extend(too_near(&spec, &agents));
+            problems.extend(too_many(&spec, &agents));
         }
         if !problems.is_empty() {
             return Err(problems);
@@ -130,8 +144,7 @@ impl<const D: usize> World<D> {
 
     /// For each agent, whether laws in a scope, or in none, act on it.
     pub fn acted_on(&self, scope: Option<&ScopeSpec>) -> Vec<bool> {
-        let groups = self.spec.agents.iter();
-        let by_group: Vec<bool> = groups.map(|group| acts_on(scope, group)).collect();
+        let by_group = acting_on(scope, &self.spec.agents);
         let groups = self.agents.group.iter();
         groups.map(|&group| by_group[group]).collect()
     }
@@ -190,7 +203,10 @@ fn fill_in<const D: usize>(spec: &mut WorldSpec) {
         obstacles::fill_in::<D>(obstacle);
     }
     let targets: Vec<Option<Vec<f64>>> = each_law(&spec.laws)
-        .map(|(scope, _)| check::velocity_to_follow(spec, scope).cloned())
+        .map(|(scope, law)| match law {
+            LawSpec::ObstacleAvoidance(_) => check::velocity_to_follow(spec, scope).cloned(),
+            _ => None,
+        })
         .collect();
     for (law, target) in each_law_mut(&mut spec.laws).zip(targets) {
         if let LawSpec::ObstacleAvoidance(law) = law

@@ -6,6 +6,7 @@ use std::str::FromStr;
 use serde_json::{Map, Value};
 use thiserror::Error;
 
+use super::limits::{MOST_BYTES_OF_A_PATH, MOST_STEPS_OF_A_PATH};
 use super::path::{Path, PathError, Step};
 use super::problem::Problem;
 use super::words::{did_you_mean, shorten};
@@ -27,6 +28,20 @@ pub enum OverrideError {
     /// Nothing stands before the equals sign.
     #[error("`{0}` lacks a path before its equals sign, as in time.end=10")]
     NoPath(String),
+    /// The path leads deeper than any field lies.
+    #[error(
+        "the path `{path}` has {steps} parts; allowed: at most {MOST_STEPS_OF_A_PATH}, which is \
+         deeper than any field lies"
+    )]
+    TooDeep {
+        /// The path, shortened.
+        path: String,
+        /// How many parts it has.
+        steps: usize,
+    },
+    /// The path is longer than any path to a field.
+    #[error("the path `{0}` is too long; allowed: at most {MOST_BYTES_OF_A_PATH} bytes")]
+    TooLong(String),
     /// What stands before the equals sign is not a path.
     #[error(transparent)]
     Path(#[from] PathError),
@@ -44,27 +59,27 @@ impl Override {
     pub fn apply(&self, world: &mut Value) -> Result<(), Problem> {
         let mut place = world;
         for (done, step) in self.path.0.iter().enumerate() {
-            let so_far = Path(self.path.0[..done].to_vec());
-            let so_far = if done == 0 {
-                "the world".to_owned()
-            } else {
-                format!("`{so_far}`")
+            let so_far = || match done {
+                0 => "the world".to_owned(),
+                _ => format!("`{}`", Path(self.path.0[..done].to_vec())),
             };
             place = match (step, place) {
                 (Step::Field(name), Value::Object(fields)) => {
                     let wants_list = matches!(self.path.0.get(done + 1), Some(Step::Entry(_)));
                     if wants_list && !fields.contains_key(name) {
-                        let hint = did_you_mean(name, fields.keys().map(String::as_str));
-                        let problem = self.problem(format!("{so_far} has no list `{name}`"));
+                        // Of a world with more fields than these, most are unknown.
+                        let known = fields.keys().map(String::as_str).take(100);
+                        let hint = did_you_mean(name, known);
+                        let problem = self.problem(format!("{} has no list `{name}`", so_far()));
                         return Err(Problem { hint, ..problem });
                     }
                     let made = || Value::Object(Map::new());
                     fields.entry(name.as_str()).or_insert_with(made)
                 }
                 (Step::Entry(index), Value::Array(entries)) => match entries.len() {
-                    0 => return Err(self.problem(format!("{so_far} is an empty list"))),
+                    0 => return Err(self.problem(format!("{} is an empty list", so_far()))),
                     length if *index >= length => {
-                        let what = format!("{so_far} has no entry {index}");
+                        let what = format!("{} has no entry {index}", so_far());
                         let allowed = match length {
                             1 => "0".to_owned(),
                             _ => format!("0 to {}", length - 1),
@@ -74,11 +89,19 @@ impl Override {
                     _ => &mut entries[*index],
                 },
                 (Step::Field(name), other) => {
-                    let what = format!("{so_far} is {}, so it has no field `{name}`", kind(other));
+                    let what = format!(
+                        "{} is {}, so it has no field `{name}`",
+                        so_far(),
+                        kind(other)
+                    );
                     return Err(self.problem(what));
                 }
                 (Step::Entry(index), other) => {
-                    let what = format!("{so_far} is {}, so it has no entry {index}", kind(other));
+                    let what = format!(
+                        "{} is {}, so it has no entry {index}",
+                        so_far(),
+                        kind(other)
+                    );
                     return Err(self.problem(what));
                 }
             };
@@ -102,14 +125,25 @@ impl FromStr for Override {
         let mut ends = text.match_indices('=').map(|(end, _)| end);
         let first = ends
             .next()
-            .ok_or_else(|| OverrideError::NoEquals(text.into()))?;
+            .ok_or_else(|| OverrideError::NoEquals(shorten(text)))?;
+        if first > MOST_BYTES_OF_A_PATH {
+            return Err(OverrideError::TooLong(shorten(text)));
+        }
         let end = std::iter::once(first)
             .chain(ends)
+            .take_while(|&end| end <= MOST_BYTES_OF_A_PATH)
+            .take(MOST_STEPS_OF_A_PATH)
             .find(|&end| text[..end].parse::<Path>().is_ok())
             .unwrap_or(first);
         let path: Path = text[..end].parse()?;
         if path.0.is_empty() {
             return Err(OverrideError::NoPath(text.into()));
+        }
+        if path.0.len() > MOST_STEPS_OF_A_PATH {
+            return Err(OverrideError::TooDeep {
+                path: shorten(&text[..end]),
+                steps: path.0.len(),
+            });
         }
         let value = &text[end + 1..];
         Ok(Self {

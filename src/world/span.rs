@@ -1,5 +1,6 @@
 //! Where in a file's text a path's name and value stand.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 use jsonc_parser::ast::{ObjectProp, Value};
@@ -18,39 +19,83 @@ pub struct Spot {
     pub whole: bool,
 }
 
-/// The spot of a path in a parsed file.
-pub fn find(root: &Value, path: &Path) -> Spot {
-    let mut spot = Spot {
-        name: None,
-        value: bytes(root),
-        whole: true,
-    };
-    let mut value = root;
-    for step in &path.0 {
-        let next = match (step, value) {
-            (Step::Field(name), Value::Object(object)) => {
-                // The last of two fields with one name is the one that counts.
-                let found = object
-                    .properties
-                    .iter()
-                    .rev()
-                    .find(|field| field.name.as_str() == name);
-                found.map(|field| {
-                    spot.name = Some(name_of(field));
-                    &field.value
-                })
-            }
-            (Step::Entry(index), Value::Array(array)) => array.elements.get(*index),
-            _ => None,
-        };
-        let Some(next) = next else {
-            spot.whole = false;
-            break;
-        };
-        value = next;
-        spot.value = bytes(value);
+/// A parsed file, to look many paths up in.
+pub struct Spots<'a> {
+    root: &'a Value<'a>,
+    /// The fields of the objects that were looked into, by name. An object is told by where it
+    /// begins, for none begins where another does.
+    fields: HashMap<usize, HashMap<&'a str, &'a ObjectProp<'a>>>,
+}
+
+impl<'a> Spots<'a> {
+    /// Of a parsed file.
+    pub fn new(root: &'a Value<'a>) -> Self {
+        Self {
+            root,
+            fields: HashMap::new(),
+        }
     }
-    spot
+
+    /// The spot of a path.
+    pub fn find(&mut self, path: &Path) -> Spot {
+        let mut spot = Spot {
+            name: None,
+            value: bytes(self.root),
+            whole: true,
+        };
+        let mut value = self.root;
+        for step in &path.0 {
+            let next = match (step, value) {
+                (Step::Field(name), Value::Object(object)) => {
+                    let fields = self.fields.entry(bytes(object).start).or_insert_with(|| {
+                        let fields = object.properties.iter();
+                        // The last of two fields with one name is the one that counts.
+                        fields.map(|field| (field.name.as_str(), field)).collect()
+                    });
+                    fields.get(name.as_str()).map(|field| {
+                        spot.name = Some(name_of(field));
+                        &field.value
+                    })
+                }
+                (Step::Entry(index), Value::Array(array)) => array.elements.get(*index),
+                _ => None,
+            };
+            let Some(next) = next else {
+                spot.whole = false;
+                break;
+            };
+            value = next;
+            spot.value = bytes(value);
+        }
+        spot
+    }
+}
+
+/// The places in a text where lines begin, to tell the lines of many bytes.
+pub struct Lines<'a> {
+    text: &'a str,
+    starts: Vec<usize>,
+}
+
+impl<'a> Lines<'a> {
+    /// Of a text.
+    pub fn new(text: &'a str) -> Self {
+        let newlines = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Self {
+            text,
+            starts: std::iter::once(0)
+                .chain(newlines.map(|(at, _)| at + 1))
+                .collect(),
+        }
+    }
+
+    /// Line and column of a byte, both counted from 1, columns in characters.
+    pub fn place(&self, byte: usize) -> (usize, usize) {
+        let byte = self.text.floor_char_boundary(byte);
+        let line = self.starts.partition_point(|&start| start <= byte);
+        let start = self.starts[line - 1];
+        (line, self.text[start..byte].chars().count() + 1)
+    }
 }
 
 /// The bytes of a field's name, quotes included.
@@ -65,14 +110,6 @@ pub fn bytes(part: &impl Ranged) -> Range<usize> {
     range.start..range.end
 }
 
-/// Line and column of a byte, both counted from 1, columns in characters.
-pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
-    let before = &text[..text.floor_char_boundary(byte)];
-    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = before.bytes().filter(|&b| b == b'\n').count() + 1;
-    (line, before[start..].chars().count() + 1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,7 +118,8 @@ mod tests {
 
     fn spot(path: &str) -> Spot {
         let parsed = jsonc_parser::parse_to_ast(TEXT, &Default::default(), &Default::default());
-        find(&parsed.unwrap().value.unwrap(), &path.parse().unwrap())
+        let root = parsed.unwrap().value.unwrap();
+        Spots::new(&root).find(&path.parse().unwrap())
     }
 
     #[test]
@@ -104,14 +142,14 @@ mod tests {
 
     #[test]
     fn counts_characters_not_bytes() {
-        let column = |text: &str| line_and_column(TEXT, TEXT.find(text).unwrap());
+        let column = |text: &str| Lines::new(TEXT).place(TEXT.find(text).unwrap());
         assert_eq!(column("{"), (1, 1));
         assert_eq!(column("1,"), (2, 8));
         assert_eq!(column("10,"), (2, 21));
         assert_eq!(column("\"ü\""), (3, 11));
-        assert_eq!(line_and_column(TEXT, TEXT.len()), (5, 1));
+        assert_eq!(Lines::new(TEXT).place(TEXT.len()), (5, 1));
         // In the middle of a character, and past the end.
-        assert_eq!(line_and_column("é", 1), (1, 1));
-        assert_eq!(line_and_column("é", 9), (1, 2));
+        assert_eq!(Lines::new("é").place(1), (1, 1));
+        assert_eq!(Lines::new("é").place(9), (1, 2));
     }
 }

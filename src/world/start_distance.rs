@@ -1,9 +1,9 @@
 //! Starts at which a law is not defined.
 
 use crate::world::agents::Agents;
-use crate::world::overlap::near_pairs;
 use crate::world::problem::Problem;
 use crate::world::spec::{LawSpec, WorldSpec, acts_on, each_law, each_path};
+use crate::world::standing::Standing;
 use crate::world::words::number;
 
 /// The pairs that start nearer than a law of Cucker & Dong allows, one for each law: those of
@@ -17,12 +17,19 @@ pub(super) fn too_near<const D: usize>(spec: &WorldSpec, agents: &Agents<D>) -> 
         let group = |i: usize| &spec.agents[agents.group[i]];
         let sees = |i: usize| scope.is_none_or(|scope| scope.sees(group(i)));
         let pushes = |a: usize, b: usize| acts_on(scope, group(a)) && sees(b);
-        // A hair more than half, for the sweep rounds.
-        let reach = 0.5 * law.squared_distance.sqrt() * (1.0 + 1e-9);
-        let first = near_pairs(agents, |_| reach).find_map(|(a, b)| {
-            let squared = (agents.positions[a] - agents.positions[b]).norm_squared();
-            let bad = squared <= law.squared_distance && (pushes(a, b) || pushes(b, a));
-            bad.then_some((a, b, squared))
+        // A hair more, for roots round.
+        let room = law.squared_distance.sqrt() * (1.0 + 1e-9);
+        let mut standing = Standing::new(std::iter::once(room));
+        let first = (0..agents.len()).find_map(|b| {
+            let at = &agents.positions[b];
+            let near = standing.near(at, room).copied().filter_map(|a: usize| {
+                let squared = (agents.positions[a] - at).norm_squared();
+                let bad = squared <= law.squared_distance && (pushes(a, b) || pushes(b, a));
+                bad.then_some((a, b, squared))
+            });
+            let first = near.min_by_key(|pair| pair.0);
+            standing.put(at, room, b);
+            first
         });
         if let Some((a, b, squared)) = first {
             let squared = number(squared);

@@ -11,9 +11,11 @@ use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{ParseOptions, ParseStringErrorKind, parse_to_ast};
 use serde_json::Value;
 
+use super::limits::{MOST_BYTES, MOST_PROBLEMS, MOST_VALUES};
 use super::path::{Path, Step};
 use super::problem::Problem;
-use super::span::{bytes, line_and_column, name_of};
+use super::span::{Lines, bytes, name_of};
+use super::strict;
 use super::words::did_you_mean;
 
 /// A problem and the bytes that it is about.
@@ -35,13 +37,50 @@ const STRICT: ParseOptions = ParseOptions {
 
 /// The value of a JSON text, or everything that keeps it from having one.
 pub fn value(text: &str) -> Result<Value, Vec<Found>> {
+    size(text).map_err(|found| vec![found])?;
+    // What is sound needs no parser that knows where things stand, which takes far more memory.
+    if let Ok(sound) = strict::value(text) {
+        return Ok(sound);
+    }
     let root = tree(text).map_err(|found| vec![found])?;
     let mut found = Vec::new();
-    look(&root, text, &mut Path::default(), &mut found);
+    look(&root, &Lines::new(text), &mut Path::default(), &mut found);
     if !found.is_empty() {
         return Err(found);
     }
     serde_json::from_str(text).map_err(|error| vec![last_word(text, &error)])
+}
+
+/// Refuses a text that holds too much.
+fn size(text: &str) -> Result<(), Found> {
+    let too_large = |what: String, most: String| {
+        let problem = Problem::new("", what).allowed(format!("at most {most}"));
+        Err((problem, 0..0))
+    };
+    if text.len() > MOST_BYTES {
+        return too_large(
+            format!("the file is {} bytes long", text.len()),
+            format!("{MOST_BYTES} (256 MiB)"),
+        );
+    }
+    // Each begins at the start, behind an opening bracket or behind a comma.
+    let (mut values, mut in_text, mut escaped) = (1, false, false);
+    for byte in text.bytes() {
+        match byte {
+            _ if escaped => escaped = false,
+            b'\\' if in_text => escaped = true,
+            b'"' => in_text = !in_text,
+            b',' | b'[' | b'{' if !in_text => values += 1,
+            _ => {}
+        }
+    }
+    if values > MOST_VALUES {
+        return too_large(
+            format!("the file holds {values} values: numbers, texts, lists and objects"),
+            MOST_VALUES.to_string(),
+        );
+    }
+    Ok(())
 }
 
 /// The parsed text, whose parts know where they stand.
@@ -58,7 +97,10 @@ pub fn tree(text: &str) -> Result<ast::Value<'_>, Found> {
 }
 
 /// Collects names given twice and numbers too large for a double.
-fn look(value: &ast::Value, text: &str, path: &mut Path, found: &mut Vec<Found>) {
+fn look(value: &ast::Value, lines: &Lines, path: &mut Path, found: &mut Vec<Found>) {
+    if found.len() >= MOST_PROBLEMS {
+        return;
+    }
     match value {
         ast::Value::Object(object) => {
             let mut first = HashMap::new();
@@ -66,18 +108,18 @@ fn look(value: &ast::Value, text: &str, path: &mut Path, found: &mut Vec<Found>)
                 path.0.push(Step::Field(field.name.as_str().to_owned()));
                 let at = name_of(field);
                 if let Some(earlier) = first.insert(field.name.as_str(), at.start) {
-                    let (line, _) = line_and_column(text, earlier);
+                    let (line, _) = lines.place(earlier);
                     let what = format!("is given twice, first on line {line}");
                     found.push((Problem::with_name(path.to_string(), what), at));
                 }
-                look(&field.value, text, path, found);
+                look(&field.value, lines, path, found);
                 path.0.pop();
             }
         }
         ast::Value::Array(array) => {
             for (index, entry) in array.elements.iter().enumerate() {
                 path.0.push(Step::Entry(index));
-                look(entry, text, path, found);
+                look(entry, lines, path, found);
                 path.0.pop();
             }
         }

@@ -3,9 +3,16 @@
 /// The name that is nearest to a misspelt one, if any is near enough: at most a
 /// third of its letters may differ, and at least one may.
 pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    /// Names of the format are far shorter; comparing takes the product of both lengths.
+    const LONGEST: usize = 100;
+    if word.len() > LONGEST {
+        return None;
+    }
     let word = word.to_lowercase();
+    let near = |name: &&str| word.len().abs_diff(name.len()) <= 4 * (name.len() / 3 + 1);
     names
         .into_iter()
+        .filter(near)
         .map(|name| {
             let wrong = strsim::damerau_levenshtein(&word, &name.to_lowercase());
             (wrong, name.chars().count(), name)
@@ -53,11 +60,21 @@ pub fn any_of<S: AsRef<str>>(words: &[S]) -> String {
 /// A value on one line, cut where it is longer than about forty characters.
 pub fn shorten(value: &str) -> String {
     const LONGEST: usize = 40;
-    let line = value.split_whitespace().collect::<Vec<_>>().join(" ");
-    match line.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &line[..end]),
-        None => line,
+    let mut line = String::new();
+    let mut length = 0;
+    // The value may be as long as a file, so no more of it is looked at than is shown.
+    for word in value.split_whitespace() {
+        let gap = (!line.is_empty()).then_some(' ');
+        for c in gap.into_iter().chain(word.chars()) {
+            if length == LONGEST {
+                line.push('…');
+                return line;
+            }
+            line.push(c);
+            length += 1;
+        }
     }
+    line
 }
 
 #[cfg(test)]

@@ -20,3 +20,5 @@ mod resume;
 mod scene;
 #[cfg(unix)]
 mod signals;
+#[cfg(unix)]
+mod stopping;

@@ -1,12 +1,11 @@
 //! A trace on its way to a picture.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use volary::picture::FileKind;
 use volary::render::{
     Clip, Eye, Moment, Moments, Panel, RenderError, Scene, Survey, film, overlay, strip,
 };
 use volary::shape::In;
+use volary::stop::Stop;
 use volary::trace::TraceReader;
 use volary::world::World;
 
@@ -24,7 +23,7 @@ pub(super) struct Job<'a, const D: usize> {
     pub(super) films: bool,
     pub(super) world: &'a World<D>,
     /// Whether someone wants it to stop.
-    pub(super) stop: &'a AtomicBool,
+    pub(super) stop: &'a Stop,
 }
 
 impl<const D: usize> Job<'_, D>
@@ -153,7 +152,7 @@ where
             .moments(survey, wanted)?
             .enumerate()
             .map(|(number, moment)| {
-                if self.stop.load(Ordering::Relaxed) {
+                if self.stop.asked() {
                     return Err(RenderError::Stopped);
                 }
                 let turn = turn * number as f64;

@@ -3,20 +3,18 @@
 mod arguments;
 mod job;
 
-use std::sync::Arc;
-
 use volary::file::check_whole;
 use volary::picture::FileKind;
 use volary::render::open;
+use volary::stop::Stop;
 use volary::world::AnyWorld;
 
-use super::drive::stop_on_interrupt;
 use super::{Refusal, files};
 pub(super) use arguments::RenderArguments;
 use job::Job;
 
 /// Draws what happens in a trace.
-pub(super) fn render(arguments: &RenderArguments) -> Result<(), Refusal> {
+pub(super) fn render(arguments: &RenderArguments, stop: &Stop) -> Result<(), Refusal> {
     let films = FileKind::of(&arguments.out)
         .map_err(Refusal::bad_input)?
         .is_film();
@@ -32,25 +30,20 @@ pub(super) fn render(arguments: &RenderArguments) -> Result<(), Refusal> {
             arguments.trace.display()
         )));
     }
-    let stop = match films {
-        true => stop_on_interrupt(),
-        // A still is there at once.
-        false => Arc::default(),
-    };
     let (world, reader) = open(&arguments.trace).map_err(|error| arguments.refuse(error))?;
     arguments.threads.install(|| match world {
         AnyWorld::Plane(world) => Job {
             arguments,
             films,
             world: &world,
-            stop: &stop,
+            stop,
         }
         .start(reader),
         AnyWorld::Space(world) => Job {
             arguments,
             films,
             world: &world,
-            stop: &stop,
+            stop,
         }
         .start(reader),
     })

@@ -31,11 +31,11 @@ pub(crate) fn has_friction<const D: usize>(world: &World<D>) -> bool {
     world.spec.physics.friction > 0.0 || groups.chain(obstacles).any(|it| it > 0.0)
 }
 
-/// Whether contacts can turn the bodies of a group.
-pub(crate) fn can_turn<const D: usize>(world: &World<D>, group: usize) -> bool {
+/// Whether contacts can turn the bodies of a group, in a world with friction or without.
+pub(crate) fn can_turn<const D: usize>(world: &World<D>, group: usize, friction: bool) -> bool {
     match world.solids[group].is_ball() {
         // Nothing can turn a ball without friction.
-        true => has_friction(world),
+        true => friction,
         false => world.spec.agents[group].heading != Some(HeadingSpec::Fixed),
     }
 }
@@ -64,9 +64,10 @@ impl<const D: usize> Roster<D> {
     {
         let (agents, spec) = (&world.agents, &world.spec);
         let usual = (spec.physics.restitution, spec.physics.friction);
+        let friction = has_friction(world);
         let inertia = |(&group, &mass): (&usize, &f64)| {
             let solid = &world.solids[group];
-            if !can_turn(world, group) {
+            if !can_turn(world, group, friction) {
                 return Matrix::zeros();
             }
             let tensor = solid.inertia() * (mass / solid.volume());

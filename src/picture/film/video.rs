@@ -4,17 +4,22 @@ use std::ffi::OsStr;
 use std::io::{ErrorKind, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
+use std::time::Duration;
 
 use super::{Encode, FileKind, Reel};
 use crate::picture::PictureError;
+use crate::stop::Loose;
 
 /// How much of what ffmpeg says is kept, in bytes: its last words.
 const TAIL: usize = 1000;
 
 /// Pipes frames to ffmpeg, which writes the file.
 pub(super) struct Video {
-    child: Child,
+    child: Arc<Mutex<Child>>,
+    /// Has it ended if the process ends early: it would make a file of what it got.
+    _loose: Loose,
     /// Where the frames go, until the last.
     frames: Option<ChildStdin>,
     /// What ffmpeg complained of.
@@ -78,24 +83,42 @@ impl Video {
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
-        let mut child = command.spawn().map_err(|source| match source.kind() {
+        let begin = || command.spawn().map(|child| Arc::new(Mutex::new(child)));
+        let kill = |child: &Arc<Mutex<Child>>| -> Box<dyn FnOnce() + Send> {
+            let child = Arc::clone(child);
+            // Who waits for its end holds it for a moment only.
+            Box::new(move || end_now(&mut held(&child)))
+        };
+        let begun = Loose::end(begin, kill);
+        let (child, loose) = begun.map_err(|source| match source.kind() {
             ErrorKind::NotFound => PictureError::NoFfmpeg { ending },
             _ => PictureError::Ffmpeg {
                 problem: format!("{}: {source}", program.display()),
             },
         })?;
-        let words = child.stderr.take();
+        let (words, frames) = {
+            let mut child = held(&child);
+            (child.stderr.take(), child.stdin.take())
+        };
         Ok(Self {
-            frames: child.stdin.take(),
+            frames,
             words: words.map(|words| std::thread::spawn(|| last_words(words))),
             child,
+            _loose: loose,
         })
     }
 
     /// Waits for the end, and tells what went wrong.
     fn end(&mut self) -> Result<(), PictureError> {
         drop(self.frames.take());
-        let status = self.child.wait();
+        let status = loop {
+            match held(&self.child).try_wait() {
+                Ok(None) => {}
+                Ok(Some(status)) => break Ok(status),
+                Err(error) => break Err(error),
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        };
         let words = self.words.take().map(JoinHandle::join);
         match status {
             Ok(status) if status.success() => Ok(()),
@@ -141,11 +164,20 @@ impl Encode for Video {
 impl Drop for Video {
     fn drop(&mut self) {
         if self.frames.take().is_some() {
-            // Nobody wants the film any more. Best effort: it may have ended by itself.
-            let _ = self.child.kill();
-            let _ = self.child.wait();
+            // Nobody wants the film any more.
+            end_now(&mut held(&self.child));
         }
     }
+}
+
+fn held(child: &Mutex<Child>) -> MutexGuard<'_, Child> {
+    child.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends a program. Best effort: it may have ended by itself.
+fn end_now(child: &mut Child) {
+    let _ = child.kill();
+    let _ = child.wait();
 }
 
 /// Reads to the end, and keeps the last lines.

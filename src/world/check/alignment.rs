@@ -2,15 +2,13 @@
 
 use super::drag::largest_rate;
 use super::{Check, LARGEST, size};
+use crate::world::limits::MOST_ARCS;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     ActsAs, AlignmentSpec, GainSpec, GraphSpec, KernelSpec, NormalisationSpec, OpenLoopSpec,
     RelaxationSpec, ScopeSpec, Values, VaryingGainSpec, WorldSpec,
 };
 use crate::world::words::number;
-
-/// The most arcs that a graph may have which is not written out.
-pub const MOST_ARCS: usize = 1_000_000;
 
 impl Check {
     /// Checks an alignment law.
@@ -35,9 +33,9 @@ impl Check {
             let what = "changes nothing: must have a factor below 1 for `agents` or `obstacles`";
             self.add(format!("{path}.line_of_sight"), what);
         }
-        self.gain(&format!("{path}.gain"), &law.gain, scope, world);
+        self.gain(&format!("{path}.gain"), &law.gain, scope);
         if let Some(graph) = &law.graph {
-            self.graph(&format!("{path}.graph"), graph, world);
+            self.graph(&format!("{path}.graph"), graph);
         }
         if law.relaxation == RelaxationSpec::Never
             && let Some(rate) = rate(law, scope, world)
@@ -51,13 +49,13 @@ impl Check {
         }
     }
 
-    fn gain(&mut self, path: &str, gain: &GainSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) {
+    fn gain(&mut self, path: &str, gain: &GainSpec, scope: Option<&ScopeSpec>) {
         match gain {
-            GainSpec::Constant(values) => self.values(path, values, scope, world),
+            GainSpec::Constant(values) => self.values(path, values, scope),
             GainSpec::Varying(VaryingGainSpec::Bounded { bound, scale }) => {
                 let path = format!("{path}.bounded");
-                self.values(&format!("{path}.bound"), bound, scope, world);
-                self.values(&format!("{path}.scale"), scale, scope, world);
+                self.values(&format!("{path}.bound"), bound, scope);
+                self.values(&format!("{path}.scale"), scale, scope);
                 let (single, list) = match scale {
                     Values::All(scale) => (Some(*scale), &[][..]),
                     Values::Each(scales) => (None, &scales[..]),
@@ -78,7 +76,7 @@ impl Check {
                 match functions {
                     OpenLoopSpec::All(function) => self.time_function(&path, function, Some(0.0)),
                     OpenLoopSpec::Each(functions) => {
-                        self.one_for_each(&path, functions.len(), scope, world);
+                        self.one_for_each(&path, functions.len(), scope);
                         for (index, function) in functions.iter().enumerate() {
                             self.time_function(&format!("{path}[{index}]"), function, Some(0.0));
                         }
@@ -88,8 +86,8 @@ impl Check {
         }
     }
 
-    fn graph(&mut self, path: &str, graph: &GraphSpec, world: &WorldSpec) {
-        let agents = number_of_agents(world);
+    fn graph(&mut self, path: &str, graph: &GraphSpec) {
+        let agents = self.agents;
         let most = agents.saturating_mul(agents.saturating_sub(1));
         match graph {
             GraphSpec::Matrix(rows) => {
@@ -153,12 +151,6 @@ impl Check {
         }
         self.problems.len() == known
     }
-}
-
-/// All agents of a world.
-fn number_of_agents(world: &WorldSpec) -> usize {
-    let sizes = world.agents.iter().filter_map(size);
-    sizes.fold(0, usize::saturating_add)
 }
 
 /// The law's rate at its largest, where the file alone tells it: where the influences on an

@@ -14,7 +14,7 @@ impl Check {
         scope: Option<&ScopeSpec>,
         world: &WorldSpec,
     ) {
-        self.friction_compensation(path, law, scope, world);
+        self.friction_compensation(path, law, scope);
         // Of the agents whose friction is linear; what it is for others depends on their speed.
         let agents = (0..).map(|place| {
             let linear = law.exponent.of(place) == 0.0;
@@ -34,13 +34,12 @@ impl Check {
         path: &str,
         law: &FrictionSpec,
         scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
     ) {
         for (field, values) in [
             ("coefficient", &law.coefficient),
             ("exponent", &law.exponent),
         ] {
-            self.values(&format!("{path}.{field}"), values, scope, world);
+            self.values(&format!("{path}.{field}"), values, scope);
         }
     }
 

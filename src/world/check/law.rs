@@ -1,12 +1,25 @@
 //! Checks of laws.
 
-use super::{Check, is_nonzero, size};
+use super::{Check, is_nonzero};
+use crate::world::limits::MOST_LAWS;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     ActionSpec, Feedback, GammaSpec, GroupSpec, LawSpec, NavigationSpec, ScopeSpec, Values,
     WorldSpec, acts_on, each_law,
 };
 use crate::world::words::{did_you_mean, number};
+
+/// Names that a message lists.
+const MOST_NAMED: usize = 20;
+
+/// A list, and how many there are besides.
+fn some_of<S: AsRef<str>>(listed: &[S], all: usize) -> String {
+    let words: Vec<&str> = listed.iter().map(AsRef::as_ref).collect();
+    match all > words.len() && words.len() == MOST_NAMED {
+        true => format!("{}, …", words.join(", ")),
+        false => words.join(", "),
+    }
+}
 
 /// The velocity of the first navigation law that has one other than rest and acts on
 /// every agent that laws in `scope` act on.
@@ -16,13 +29,16 @@ pub fn velocity_to_follow<'a>(
 ) -> Option<&'a Vec<f64>> {
     let covers = |other: Option<&ScopeSpec>| {
         let mut groups = world.agents.iter();
-        groups.all(|group| acts_on(other, group) || !acts_on(scope, group))
+        // Groups are many, scopes few, and most are the same or none.
+        other.is_none()
+            || other.map(|it| &it.agents) == scope.map(|it| &it.agents)
+            || groups.all(|group| acts_on(other, group) || !acts_on(scope, group))
     };
     each_law(&world.laws).find_map(|(other, law)| match law {
-        LawSpec::Navigation(law) if covers(other) => law
+        LawSpec::Navigation(law) => law
             .velocity
             .as_ref()
-            .filter(|velocity| is_nonzero(velocity)),
+            .filter(|velocity| is_nonzero(velocity) && covers(other)),
         _ => None,
     })
 }
@@ -31,6 +47,15 @@ impl Check {
     /// Checks the laws, and the scopes that they stand in.
     pub(super) fn laws(&mut self, world: &WorldSpec) {
         self.damped = vec![0.0; world.agents.len()];
+        let laws = each_law(&world.laws).count();
+        if laws > MOST_LAWS {
+            let problem = Problem::new(
+                "laws",
+                format!("holds {laws} laws, those in scopes counted"),
+            );
+            let problem = problem.allowed(format!("at most {MOST_LAWS}"));
+            return self.problems.push(problem);
+        }
         for (index, law) in world.laws.iter().enumerate() {
             let path = format!("laws[{index}]");
             let LawSpec::Scope(scope) = law else {
@@ -40,6 +65,9 @@ impl Check {
             let path = format!("{path}.scope");
             for (field, names) in [("agents", &scope.agents), ("neighbours", &scope.neighbours)] {
                 for (index, name) in names.iter().flatten().enumerate() {
+                    if self.is_full() {
+                        return;
+                    }
                     self.group_name(&format!("{path}.{field}[{index}]"), name, &world.agents);
                 }
             }
@@ -52,25 +80,26 @@ impl Check {
 
     /// A name must be that of one group.
     fn group_name(&mut self, path: &str, name: &str, groups: &[GroupSpec]) {
-        let bearers: Vec<String> = (groups.iter().enumerate())
-            .filter(|(_, group)| group.name.as_deref() == Some(name))
-            .map(|(index, _)| format!("agents[{index}]"))
-            .collect();
+        let bearers = self.named.get(name).map_or(&[][..], Vec::as_slice);
         match bearers.len() {
             1 => {}
             0 => {
-                let known: Vec<&str> = groups.iter().filter_map(|it| it.name.as_deref()).collect();
+                // Of very many names, some.
+                let known = groups.iter().filter_map(|it| it.name.as_deref());
+                let known: Vec<&str> = known.take(MOST_NAMED).collect();
                 let problem = Problem::new(path, "names no group");
                 self.problems.push(match known.is_empty() {
                     true => problem.hint("give the groups names in `agents`"),
                     false => Problem {
                         hint: did_you_mean(name, known.iter().copied()),
-                        ..problem.allowed(known.join(", "))
+                        ..problem.allowed(some_of(&known, groups.len()))
                     },
                 });
             }
-            _ => {
-                let what = format!("names more than one group: {}", bearers.join(", "));
+            count => {
+                let bearers = bearers.iter().take(MOST_NAMED);
+                let bearers: Vec<String> = bearers.map(|it| format!("agents[{it}]")).collect();
+                let what = format!("names more than one group: {}", some_of(&bearers, count));
                 let problem = Problem::new(path, what);
                 self.problems
                     .push(problem.hint("give each group a name of its own"));
@@ -80,9 +109,7 @@ impl Check {
 
     /// Checks a law; the world's other laws may give what it leaves out.
     fn law(&mut self, path: &str, law: &LawSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) {
-        let groups = world.agents.iter().enumerate();
-        let acted_on = groups.filter(|(_, group)| acts_on(scope, group));
-        self.acted_on = acted_on.map(|(index, _)| index).collect();
+        self.acted_on = self.groups(scope);
         match law {
             LawSpec::AlphaInteraction(law) => {
                 let path = format!("{path}.alpha_interaction");
@@ -111,10 +138,10 @@ impl Check {
             LawSpec::Navigation(law) => self.navigation(&format!("{path}.navigation"), law),
             LawSpec::HeadingConsensus(_) => {}
             LawSpec::Tracking(law) => {
-                self.tracking(&format!("{path}.tracking"), law, scope, world);
+                self.tracking(&format!("{path}.tracking"), law, scope);
             }
             LawSpec::Steering(law) => {
-                self.steering(&format!("{path}.steering"), law, scope, world);
+                self.steering(&format!("{path}.steering"), law, scope);
             }
             LawSpec::Flatness(law) => {
                 self.flatness(&format!("{path}.flatness"), law, scope, world);
@@ -139,7 +166,7 @@ impl Check {
             }
             LawSpec::FrictionCompensation(law) => {
                 let path = format!("{path}.friction_compensation");
-                self.friction_compensation(&path, law, scope, world);
+                self.friction_compensation(&path, law, scope);
             }
             LawSpec::SelfPropulsion(law) => {
                 self.self_propulsion(&format!("{path}.self_propulsion"), law, scope, world);
@@ -161,16 +188,18 @@ impl Check {
         let before = self.problems.len();
         self.stable(path, times, rate, limit / self.step);
         if self.problems.len() == before {
-            for &group in &self.acted_on {
-                self.damped[group] += rate;
+            match &self.acted_on {
+                None => self.damped_all += rate,
+                Some(groups) => groups.iter().for_each(|&it| self.damped[it] += rate),
             }
         }
     }
 
     /// Laws that are stable one by one may not be so together.
     fn damping_together(&mut self) {
-        self.acted_on.clear();
+        self.acted_on = Some(Vec::new());
         for (group, rate) in std::mem::take(&mut self.damped).into_iter().enumerate() {
+            let rate = rate + self.damped_all;
             let before = self.problems.len();
             let what = format!(
                 "damp the velocities of agents[{group}] at {} together,",
@@ -198,16 +227,25 @@ impl Check {
         }
     }
 
+    /// The groups that laws in a scope act on; nothing for all of them.
+    fn groups(&self, scope: Option<&ScopeSpec>) -> Option<Vec<usize>> {
+        let names = scope?.agents.as_ref()?;
+        let groups = names.iter().filter_map(|name| self.named.get(name));
+        let mut groups: Vec<usize> = groups.flatten().copied().collect();
+        groups.sort_unstable();
+        groups.dedup();
+        Some(groups)
+    }
+
     /// A list with one entry for each agent that a law acts on must have that many.
-    pub(super) fn one_for_each(
-        &mut self,
-        path: &str,
-        entries: usize,
-        scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
-    ) {
-        let groups = world.agents.iter().filter(|group| acts_on(scope, group));
-        let agents: usize = groups.filter_map(size).fold(0, usize::saturating_add);
+    pub(super) fn one_for_each(&mut self, path: &str, entries: usize, scope: Option<&ScopeSpec>) {
+        let agents = match self.groups(scope) {
+            None => self.agents,
+            Some(groups) => groups
+                .iter()
+                .map(|&it| self.sizes[it])
+                .fold(0, usize::saturating_add),
+        };
         if entries != agents {
             let what = format!("must have {agents} entries, one for each agent, not {entries}");
             self.add(path, what);
@@ -215,15 +253,9 @@ impl Check {
     }
 
     /// Values for each agent that a law acts on.
-    pub(super) fn values(
-        &mut self,
-        path: &str,
-        values: &Values,
-        scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
-    ) {
+    pub(super) fn values(&mut self, path: &str, values: &Values, scope: Option<&ScopeSpec>) {
         if let Values::Each(values) = values {
-            self.one_for_each(path, values.len(), scope, world);
+            self.one_for_each(path, values.len(), scope);
         }
     }
 

@@ -18,16 +18,15 @@ mod trajectory;
 
 pub use law::velocity_to_follow;
 
+pub use super::limits::{MOST_AGENTS, MOST_STEPS};
+
+use std::collections::HashMap;
+
+use super::limits::{MOST_PARTS, MOST_PROBLEMS, MOST_UNBOUNDED};
 use super::problem::Problem;
 use super::spec::*;
 use super::validate;
 use super::words::number;
-
-/// The most agents that a world may have.
-pub const MOST_AGENTS: usize = 10_000_000;
-
-/// The most steps that a run may take.
-pub const MOST_STEPS: u64 = 10_000_000_000;
 
 /// Everything wrong with a world, wherever it comes from; of a
 /// [`Document`](super::document::Document) that has been read, nothing is.
@@ -55,13 +54,21 @@ pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
         check.vector("physics.gravity", gravity);
     }
     for (index, group) in world.agents.iter().enumerate() {
+        if check.is_full() {
+            return check.problems;
+        }
         check.group(&format!("agents[{index}]"), group);
     }
-    check.number_of_agents(&world.agents);
+    check.count(&world.agents);
     for (index, obstacle) in world.obstacles.iter().enumerate() {
+        if check.is_full() {
+            return check.problems;
+        }
         check.obstacle(&format!("obstacles[{index}]"), obstacle);
     }
+    check.number_of_parts(&world.obstacles);
     check.memory_of_delays(world);
+    check.memory_of_records(world);
     check.laws(world);
     check.problems
 }
@@ -104,10 +111,17 @@ struct Check {
     dimension: usize,
     step: f64,
     substeps: usize,
-    /// The groups that the law being checked acts on.
-    acted_on: Vec<usize>,
-    /// For each group, the rate at which the laws checked so far damp its velocities.
+    /// Agents of the world, and of each group.
+    agents: usize,
+    sizes: Vec<usize>,
+    /// The groups of each name.
+    named: HashMap<String, Vec<usize>>,
+    /// The groups that the law being checked acts on; nothing for all of them.
+    acted_on: Option<Vec<usize>>,
+    /// For each group, the rate at which the laws in scopes checked so far damp its velocities.
     damped: Vec<f64>,
+    /// As much for all groups, by laws in no scope.
+    damped_all: f64,
     problems: Vec<Problem>,
 }
 
@@ -117,8 +131,12 @@ impl Check {
             dimension,
             step,
             substeps,
-            acted_on: Vec::new(),
+            agents: 0,
+            sizes: Vec::new(),
+            named: HashMap::new(),
+            acted_on: None,
             damped: Vec::new(),
+            damped_all: 0.0,
             problems: Vec::new(),
         }
     }
@@ -207,15 +225,47 @@ impl Check {
         }
     }
 
-    fn number_of_agents(&mut self, groups: &[GroupSpec]) {
-        let total = groups
-            .iter()
-            .filter_map(size)
-            .fold(0, usize::saturating_add);
+    /// Whether there are so many problems that no more are wanted.
+    fn is_full(&self) -> bool {
+        self.problems.len() >= MOST_PROBLEMS
+    }
+
+    /// Counts the agents, and notes who is called what.
+    fn count(&mut self, groups: &[GroupSpec]) {
+        self.sizes = groups.iter().map(|it| size(it).unwrap_or(0)).collect();
+        let total = self.sizes.iter().copied().fold(0, usize::saturating_add);
+        self.agents = total;
         if total > MOST_AGENTS {
             let problem = Problem::new("agents", format!("adds up to {total} agents"));
             self.problems
                 .push(problem.allowed(format!("at most {MOST_AGENTS}")));
+        }
+        for (index, group) in groups.iter().enumerate() {
+            if let Some(name) = &group.name {
+                self.named.entry(name.clone()).or_default().push(index);
+            }
+        }
+    }
+
+    /// Obstacles are built part by part, and those without bounds are near everything.
+    fn number_of_parts(&mut self, obstacles: &[ObstacleSpec]) {
+        let mut parts = 0usize;
+        let mut unbounded = 0;
+        for (index, obstacle) in obstacles.iter().enumerate() {
+            let (own, endless) = obstacle::parts(&obstacle.shape);
+            (parts, unbounded) = (parts.saturating_add(own), unbounded + endless);
+            let (kind, count, most) = if parts > MOST_PARTS {
+                ("convex parts", parts, MOST_PARTS)
+            } else if unbounded > MOST_UNBOUNDED {
+                ("parts without bounds", unbounded, MOST_UNBOUNDED)
+            } else {
+                continue;
+            };
+            let what = format!("makes {count} {kind} of obstacles, with those before it");
+            let problem = Problem::new(format!("obstacles[{index}].shape"), what);
+            return self
+                .problems
+                .push(problem.allowed(format!("at most {most}")));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Checks of obstacles: poses, shapes and motions.
 
 use super::{Check, LARGEST};
+use crate::world::limits::MOST_CORNERS;
 use crate::world::problem::Problem;
 use crate::world::spec::{Heights, MotionSpec, ObstacleSpec, Rotation, ShapeSpec};
 use crate::world::words::number;
@@ -307,13 +308,46 @@ impl Check {
         if points.iter().any(|point| point.len() != self.dimension) {
             return;
         }
-        if points.len() <= self.dimension {
+        if points.len() > MOST_CORNERS {
+            let problem = Problem::new(path, format!("has {} points", points.len()));
+            self.problems
+                .push(problem.allowed(format!("at most {MOST_CORNERS}")));
+        } else if points.len() <= self.dimension {
             let what = format!("must have at least {} points", self.dimension + 1);
             self.add(path, what);
         } else if rank(points) < self.dimension {
             let flat = if self.dimension == 2 { "line" } else { "plane" };
             self.add(path, format!("must not all lie on one {flat}"));
         }
+    }
+}
+
+/// How many convex parts a shape is made of, and how many of them have no bounds. Each of a
+/// room's walls is as far as all of it.
+pub(super) fn parts(shape: &ShapeSpec) -> (usize, usize) {
+    let pieces = |points: &[Vec<f64>], closed: bool| points.len().max(1) - usize::from(!closed);
+    match shape {
+        ShapeSpec::HalfSpace { .. } => (1, 1),
+        ShapeSpec::Room { half_extents } => (2 * half_extents.len(), 2 * half_extents.len()),
+        ShapeSpec::Polyline { points, closed } => (pieces(points, *closed), 0),
+        ShapeSpec::Corridor { points, closed, .. } => (8 * pieces(points, *closed), 0),
+        ShapeSpec::Mesh { triangles, .. } => (triangles.len(), 0),
+        ShapeSpec::Heightfield { heights, .. } => match heights {
+            Heights::Row(row) => (row.len(), 0),
+            Heights::Rows(rows) => (rows.iter().map(|row| 2 * row.len()).sum(), 0),
+        },
+        ShapeSpec::Compound { parts } => parts
+            .iter()
+            .map(|part| self::parts(&part.shape))
+            .fold((0, 0), |(all, endless), (own, more)| {
+                (all.saturating_add(own), endless + more)
+            }),
+        ShapeSpec::Ball { .. }
+        | ShapeSpec::Cuboid { .. }
+        | ShapeSpec::Capsule { .. }
+        | ShapeSpec::Convex { .. }
+        | ShapeSpec::Segment { .. }
+        | ShapeSpec::Triangle { .. } => (1, 0),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Checks of sensing.
 
-use super::{Check, size, whole_steps};
+use super::{Check, whole_steps};
+use crate::world::limits::{MOST_IN_LAWS, MOST_IN_NET};
 use crate::world::problem::Problem;
 use crate::world::spec::{PerAgent, SensingSpec, WorldSpec};
 use crate::world::words::number;
@@ -22,9 +23,27 @@ impl Check {
         self.on_a_step(&format!("{path}.delay"), sensing.delay, self.step, 0);
     }
 
+    /// What is recorded must be had in some time, and fit in memory.
+    pub(super) fn memory_of_records(&mut self, world: &WorldSpec) {
+        for (field, on, most) in [
+            ("net", world.record.net, MOST_IN_NET),
+            ("laws", world.record.laws, MOST_IN_LAWS),
+        ] {
+            if on && self.agents > most {
+                let what = format!(
+                    "must be false for {} agents: its time grows too fast with their number",
+                    self.agents
+                );
+                let problem = Problem::new(format!("record.{field}"), what);
+                self.problems
+                    .push(problem.allowed(format!("true for at most {most} agents")));
+            }
+        }
+    }
+
     /// Every agent's state is kept for as long as the longest delay.
     pub(super) fn memory_of_delays(&mut self, world: &WorldSpec) {
-        let agents: f64 = world.agents.iter().filter_map(size).map(|n| n as f64).sum();
+        let agents = self.agents as f64;
         for (index, group) in world.agents.iter().enumerate() {
             let delay = group.sensing.as_ref().map_or(0.0, |sensing| sensing.delay);
             let steps = delay.min(world.time.end) / world.time.step;

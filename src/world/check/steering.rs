@@ -8,13 +8,7 @@ use crate::world::spec::{
 };
 
 impl Check {
-    pub(super) fn tracking(
-        &mut self,
-        path: &str,
-        law: &TrackingSpec,
-        scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
-    ) {
+    pub(super) fn tracking(&mut self, path: &str, law: &TrackingSpec, scope: Option<&ScopeSpec>) {
         self.just_one(
             path,
             [
@@ -26,18 +20,12 @@ impl Check {
             self.trajectory(&format!("{path}.target"), target);
         }
         if let Some(targets) = &law.targets {
-            self.trajectories(&format!("{path}.targets"), targets, scope, world);
+            self.trajectories(&format!("{path}.targets"), targets, scope);
         }
         self.feedback(path, law.position_gain, law.velocity_gain);
     }
 
-    pub(super) fn steering(
-        &mut self,
-        path: &str,
-        law: &SteeringSpec,
-        scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
-    ) {
+    pub(super) fn steering(&mut self, path: &str, law: &SteeringSpec, scope: Option<&ScopeSpec>) {
         self.just_one(
             path,
             [
@@ -50,7 +38,7 @@ impl Check {
         }
         if let Some(each) = &law.accelerations {
             let path = format!("{path}.accelerations");
-            self.one_for_each(&path, each.len(), scope, world);
+            self.one_for_each(&path, each.len(), scope);
             for (index, functions) in each.iter().enumerate() {
                 self.vector_of_time(&format!("{path}[{index}]"), functions);
             }
@@ -65,7 +53,7 @@ impl Check {
         world: &WorldSpec,
     ) {
         let trajectories = format!("{path}.trajectories");
-        self.trajectories(&trajectories, &law.trajectories, scope, world);
+        self.trajectories(&trajectories, &law.trajectories, scope);
         if let TrajectoriesSpec::Each(each) = &law.trajectories {
             let jumping = |(_, trajectory): &(usize, &TrajectorySpec)| trajectory.jumps();
             for (index, _) in each.iter().enumerate().filter(jumping) {

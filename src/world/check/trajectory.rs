@@ -4,7 +4,6 @@ use super::Check;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     FormationSpec, MillRingSpec, NumbersSpec, ScopeSpec, TrajectoriesSpec, TrajectorySpec,
-    WorldSpec,
 };
 
 impl Check {
@@ -14,17 +13,16 @@ impl Check {
         path: &str,
         trajectories: &TrajectoriesSpec,
         scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
     ) {
         match trajectories {
             TrajectoriesSpec::Each(trajectories) => {
-                self.one_for_each(path, trajectories.len(), scope, world);
+                self.one_for_each(path, trajectories.len(), scope);
                 for (index, trajectory) in trajectories.iter().enumerate() {
                     self.trajectory(&format!("{path}[{index}]"), trajectory);
                 }
             }
             TrajectoriesSpec::Formation(FormationSpec::MillRing(ring)) => {
-                self.mill_ring(&format!("{path}.mill_ring"), ring, scope, world);
+                self.mill_ring(&format!("{path}.mill_ring"), ring, scope);
             }
         }
     }
@@ -96,15 +94,9 @@ impl Check {
         }
     }
 
-    fn mill_ring(
-        &mut self,
-        path: &str,
-        ring: &MillRingSpec,
-        scope: Option<&ScopeSpec>,
-        world: &WorldSpec,
-    ) {
+    fn mill_ring(&mut self, path: &str, ring: &MillRingSpec, scope: Option<&ScopeSpec>) {
         self.vector(&format!("{path}.center"), &ring.center);
-        self.values(&format!("{path}.radius"), &ring.radius, scope, world);
+        self.values(&format!("{path}.radius"), &ring.radius, scope);
         let path_of = |name: &str| format!("{path}.{name}");
         let angular_velocity = Some(&ring.angular_velocity);
         for (name, numbers) in [
@@ -113,12 +105,12 @@ impl Check {
         ] {
             if let Some(NumbersSpec::Each(numbers)) = numbers {
                 self.numbers(&path_of(name), numbers);
-                self.one_for_each(&path_of(name), numbers.len(), scope, world);
+                self.one_for_each(&path_of(name), numbers.len(), scope);
             }
         }
         if let Some(phases) = &ring.phases {
             self.numbers(&path_of("phases"), phases);
-            self.one_for_each(&path_of("phases"), phases.len(), scope, world);
+            self.one_for_each(&path_of("phases"), phases.len(), scope);
         }
         self.axis_in_space(&path_of("axis"), &ring.axis);
         if ring.heights.is_some() && self.dimension == 2 {

@@ -128,7 +128,8 @@ pub enum BodyShapeSpec {
     /// The convex hull of some points: a polygon in 2-D, a polyhedron in 3-D.
     Convex {
         /// The points; more than the dimension, and not all in one plane (line). They are
-        /// shifted so that the hull's centroid comes to lie at the frame's origin.
+        /// shifted so that the hull's centroid comes to lie at the frame's origin. Ten thousand
+        /// at most.
         points: Vec<Vec<f64>>,
     },
 }

@@ -47,7 +47,7 @@ pub use pair_force::{
     CuckerDongSpec, FirstOrderFlowSpec, PairPotentialSpec, ParkBondingSpec, Share,
 };
 pub use pattern::{BallPatternSpec, LinePatternSpec};
-pub use scope::{ScopeSpec, acts_on, each_law};
+pub use scope::{ScopeSpec, acting_on, acts_on, each_law};
 pub(in crate::world) use scope::{each_law_mut, each_path};
 pub use sensing::{BlockedBySpec, ConeSpec, FieldOfViewSpec, NoiseSpec, SensingSpec};
 pub use start::{
@@ -86,13 +86,15 @@ pub struct WorldSpec {
     /// Settings of the physics engine.
     #[serde(default)]
     pub physics: PhysicsSpec,
-    /// The agents, in groups.
-    #[schemars(length(min = 1))]
+    /// The agents, in groups; ten million agents at most.
+    #[schemars(length(min = 1, max = 1_000_000))]
     pub agents: Vec<GroupSpec>,
-    /// The obstacles, fixed or moving.
+    /// The obstacles, fixed or moving; of all convex parts together two million at most, of those
+    /// without bounds (half-spaces, walls of rooms) a thousand.
     #[serde(default)]
+    #[schemars(length(max = 1_000_000))]
     pub obstacles: Vec<ObstacleSpec>,
-    /// The laws whose sum accelerates the agents.
+    /// The laws whose sum accelerates the agents; a thousand at most, those inside scopes counted.
     #[serde(default)]
     pub laws: Vec<LawSpec>,
     /// What the trace records, and how often.
@@ -101,6 +103,7 @@ pub struct WorldSpec {
     /// What `volary validate` is to find here; of claims that are not listed only that none is
     /// violated, but for those that are misprinted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 1_000))]
     pub claims: Vec<ClaimSpec>,
 }
 
@@ -173,13 +176,14 @@ pub struct RecordSpec {
     /// Record the edges of the proximity net.
     pub edges: bool,
     /// Record the analysis of the proximity net: connectivity, energy, defect, rigidity,
-    /// planarity, votes. Its cost grows with the cube of the number of agents.
+    /// planarity, votes. Its cost grows with the cube of the number of agents, which may be a
+    /// thousand at most.
     pub net: bool,
     /// Record the links: who perceives whom within the largest range of the laws.
     pub links: bool,
     /// Record what the laws are about: energies, centres, distances from patterns and
     /// targets, influences. Its cost grows with the square of the number of agents, that of
-    /// alignment laws with its cube.
+    /// alignment laws with its cube. Ten thousand agents at most.
     pub laws: bool,
     /// A threshold θ of influence: with `laws`, count the agents of the global active set,
     /// those whose influence on everyone is at least θ; Djokam & Rathinam, (3.5).

@@ -96,7 +96,8 @@ pub enum ShapeSpec {
     },
     /// The convex hull of some points: a polygon in 2-D, a polyhedron in 3-D.
     Convex {
-        /// The points; more than the dimension, and not all in one plane (line).
+        /// The points; more than the dimension, and not all in one plane (line). Ten thousand
+        /// at most.
         points: Vec<Vec<f64>>,
     },
     /// A straight wall without thickness.

@@ -1,5 +1,7 @@
 //! Scopes in a world file: laws for some groups only.
 
+use std::collections::HashSet;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -29,10 +31,34 @@ impl ScopeSpec {
         is_named(&self.agents, group)
     }
 
+    /// For each group, whether the laws see its agents as neighbours.
+    pub fn seeing(&self, groups: &[GroupSpec]) -> Vec<bool> {
+        among(&self.neighbours, groups)
+    }
+
     /// Whether the laws see the agents of a group as neighbours.
     pub fn sees(&self, group: &GroupSpec) -> bool {
         is_named(&self.neighbours, group)
     }
+}
+
+/// For each group, whether laws in a scope, or in none, act on its agents.
+pub fn acting_on(scope: Option<&ScopeSpec>, groups: &[GroupSpec]) -> Vec<bool> {
+    match scope {
+        Some(scope) => among(&scope.agents, groups),
+        None => vec![true; groups.len()],
+    }
+}
+
+/// For each group, whether it is named, or no group is. As groups have names, those are many
+/// where these are.
+fn among(names: &Option<Vec<String>>, groups: &[GroupSpec]) -> Vec<bool> {
+    let Some(names) = names else {
+        return vec![true; groups.len()];
+    };
+    let names: HashSet<&str> = names.iter().map(String::as_str).collect();
+    let named = |group: &GroupSpec| group.name.as_ref().is_some_and(|it| names.contains(&**it));
+    groups.iter().map(named).collect()
 }
 
 fn is_named(names: &Option<Vec<String>>, group: &GroupSpec) -> bool {
