@@ -44,14 +44,13 @@ impl Integrator {
         together.extend(velocities.iter().flat_map(|_| middle.iter().copied()));
         let rate = [state, &together].map(|state| {
             let mut slope = vec![0.0; state.len()];
-            field.settle(state);
+            field.settle(0.0, state);
             field.slope(0.0, state, &mut slope);
             let stand = Stand {
                 time: 0.0,
                 state,
                 slope: &slope,
                 tolerance: 1.0,
-                through: false,
             };
             Radau::fastest_decay(&mut field, stand)
         });

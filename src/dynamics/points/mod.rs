@@ -12,10 +12,12 @@
 //! the error.
 
 mod accuracy;
+mod course;
 mod field;
 mod fitness;
 mod integrator;
 mod links;
+mod sliding;
 
 pub use accuracy::{Accuracy, Solver};
 
@@ -26,6 +28,7 @@ use super::{Snapshot, Unusable, turn};
 use crate::law::{Flock, State};
 use crate::math::{Stuck, Stumble, Vector, axis};
 use crate::shape::Obstacle;
+use crate::stop::Stop;
 use crate::world::World;
 use field::{Agents, Field, read};
 use integrator::Integrator;
@@ -42,6 +45,7 @@ pub struct Points<const D: usize> {
     obstacles: Vec<Obstacle<D>>,
     /// The force of the laws on each agent now.
     pushes: Vec<Vector<D>>,
+    stop: Stop,
 }
 
 /// What points must know between two steps, besides their world, to go on bit for bit.
@@ -55,6 +59,9 @@ pub struct PointsState<const D: usize> {
     velocities: Vec<Vector<D>>,
     headings: Vec<Vector<D>>,
     pushes: Vec<Vector<D>>,
+    /// The pairs that slide, and at which distances.
+    #[serde(default)]
+    sliding: Vec<([u32; 2], f64)>,
 }
 
 impl<const D: usize> Points<D> {
@@ -75,7 +82,8 @@ impl<const D: usize> Points<D> {
         points.turn();
         points.push(flock)?;
         let state = points.flat();
-        let field = Field::new(&mut points.agents, flock);
+        let [relative, step] = [accuracy.relative, points.step_size];
+        let field = Field::new(&mut points.agents, flock, &points.stop, relative, step);
         points.integrator = Integrator::choose(field, &state, points.step_size);
         Ok(points)
     }
@@ -93,6 +101,7 @@ impl<const D: usize> Points<D> {
             velocities: agents.velocities.clone(),
             obstacles: world.obstacles.clone(),
             pushes: vec![Vector::zeros(); agents.len()],
+            stop: Stop::default(),
         }
     }
 
@@ -126,6 +135,7 @@ impl<const D: usize> Points<D> {
         };
         points.agents.headings = state.headings;
         points.agents.largest = state.largest;
+        points.agents.sliding = state.sliding;
         points.move_obstacles();
         Ok(points)
     }
@@ -144,6 +154,8 @@ impl<const D: usize> Points<D> {
             // Part of the world, and of the time.
             step_size: _,
             obstacles: _,
+            // Given anew.
+            stop: _,
         } = self;
         PointsState {
             accuracy: *accuracy,
@@ -154,23 +166,37 @@ impl<const D: usize> Points<D> {
             velocities: velocities.clone(),
             headings: agents.headings.clone(),
             pushes: pushes.clone(),
+            sliding: agents.sliding.clone(),
         }
     }
 
-    /// Goes on to the end of the world's next step. One that fails leaves the state before it.
+    /// Stops from now on where somebody asks for it, also within a step.
+    pub fn heed(&mut self, stop: Stop) {
+        self.stop = stop;
+    }
+
+    /// Goes on to the end of the world's next step. One that fails, or was stopped, leaves the
+    /// state before it.
     ///
     /// # Errors
-    /// Where the state or the laws are no longer finite, or the integration gets stuck.
+    /// Where the state or the laws are no longer finite, the integration gets stuck, or somebody
+    /// asked to stop.
     pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
         let times = [self.time(), (self.step + 1) as f64 * self.step_size];
         let mut state = self.flat();
         self.agents.measure(&self.positions, &self.velocities);
-        let field = Field::new(&mut self.agents, flock);
         let relative = self.accuracy.relative;
+        let field = Field::new(
+            &mut self.agents,
+            flock,
+            &self.stop,
+            relative,
+            self.step_size,
+        );
         let done = self.integrator.advance(field, &mut state, times, relative);
         done.map_err(|Stuck { time, over }| match over {
             Stumble::Error => Failure::Stuck { time },
-            Stumble::Jumps => Failure::Jumps { time },
+            Stumble::Stopped => Failure::Stopped,
         })?;
         let half = state.len() / 2;
         let (mut positions, mut velocities) = (self.positions.clone(), self.velocities.clone());
@@ -186,6 +212,7 @@ impl<const D: usize> Points<D> {
         self.positions = positions;
         self.velocities = velocities;
         self.step += 1;
+        self.agents.note_sliding();
         self.turn();
         self.move_obstacles();
         self.push(flock)
@@ -252,7 +279,14 @@ impl<const D: usize> Points<D> {
     /// Asks the laws for their forces now.
     fn push(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
         let mut wanted = vec![Vector::zeros(); self.positions.len()];
-        flock.accelerations(&self.state(), &mut wanted);
+        if self.agents.sliding.is_empty() {
+            flock.accelerations(&self.state(), &mut wanted);
+        } else {
+            let (time, state) = (self.time(), self.flat());
+            let [relative, step] = [self.accuracy.relative, self.step_size];
+            let field = Field::new(&mut self.agents, flock, &self.stop, relative, step);
+            wanted = field.accelerations(time, &state);
+        }
         for (i, wanted) in wanted.iter().enumerate() {
             if !wanted.norm_squared().is_finite() {
                 return Err(Failure::Acceleration {
