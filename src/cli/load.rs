@@ -4,14 +4,24 @@ use std::io::{ErrorKind, IsTerminal};
 use std::path::Path;
 
 use volary::validate;
+use volary::world::check::Motion;
 use volary::world::{AnyWorld, Document, Override, Report, shipped};
 
 use super::Refusal;
 
 /// Reads a world: a file, or else a shipped world of that name.
 pub(super) fn load(world: &str, overrides: Vec<Override>) -> Result<AnyWorld, Refusal> {
+    load_moved(world, overrides, Motion::OfBodies)
+}
+
+/// As [`load`], of a world whose agents move as bodies or as points.
+pub(super) fn load_moved(
+    world: &str,
+    overrides: Vec<Override>,
+    motion: Motion,
+) -> Result<AnyWorld, Refusal> {
     let (name, document) = find(world)?;
-    let document = document.with(overrides);
+    let document = document.with(overrides).moved(motion);
     let refuse = |report: Report| Refusal::BadInput(report.render(in_color()));
     let world = document.world(name).map_err(refuse)?;
     // Worlds know no claims, so what is wrong with those they name shows only here.

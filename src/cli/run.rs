@@ -8,7 +8,7 @@ use volary::dynamics::{Accuracy, Dynamics, Engine};
 use volary::shape::In;
 use volary::simulation::Simulation;
 use volary::trace::{BackgroundWriter, TraceWriter};
-use volary::world::check::on_a_step;
+use volary::world::check::{Motion, on_a_step};
 use volary::world::{AnyWorld, Override, World};
 
 use super::drive::{Drive, Keeper, Threads, stop_on_interrupt};
@@ -110,6 +110,14 @@ impl RunArguments {
         }
     }
 
+    /// Which steps are short enough depends on it.
+    fn motion(&self) -> Motion {
+        match self.dynamics {
+            Kind::Bodies => Motion::OfBodies,
+            Kind::Points => Motion::OfPoints,
+        }
+    }
+
     /// Everything that replaces a value of the file; what comes last wins.
     fn overrides(&self) -> Result<Vec<Override>, Refusal> {
         let named = [
@@ -142,7 +150,7 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
 /// Runs a world, writes what was asked for and prints a summary.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Refusal> {
     files::check(arguments)?;
-    let world = load::load(&arguments.world, arguments.overrides()?)?;
+    let world = load::load_moved(&arguments.world, arguments.overrides()?, arguments.motion())?;
     arguments.threads.install(|| match world {
         AnyWorld::Plane(world) => run_world(arguments, world),
         AnyWorld::Space(world) => run_world(arguments, world),

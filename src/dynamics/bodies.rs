@@ -71,6 +71,10 @@ pub struct Bodies<const D: usize> {
     applied: Vec<Vector<D>>,
     /// From the velocity that the engine will have to that at the end of the step.
     ahead: Vec<Vector<D>>,
+    /// Where laws pull softly, what of `ahead` makes velocities of third order, and what was
+    /// applied in the last step, if nothing was touched in it; else empty.
+    late: Vec<Vector<D>>,
+    earlier: Vec<Option<Vector<D>>>,
     /// The pulls of the laws that relax.
     pulls: Pulls<D>,
     touches: Vec<Touch<D>>,
@@ -128,6 +132,8 @@ impl<const D: usize> Bodies<D> {
             forces: zeros.clone(),
             applied: zeros.clone(),
             ahead: zeros,
+            late: Vec::new(),
+            earlier: Vec::new(),
             pulls: Pulls::default(),
             touches: Vec::new(),
             verdicts: Vec::new(),
@@ -182,9 +188,16 @@ impl<const D: usize> Bodies<D> {
             },
         );
         for touch in &self.touches {
-            velocities[touch.agent] = self.engine_velocities[touch.agent];
-            if let Touched::Agent(other) = touch.touched {
-                velocities[other] = self.engine_velocities[other];
+            let other = match touch.touched {
+                Touched::Agent(other) => Some(other),
+                Touched::Obstacle(_) => None,
+            };
+            for touched in [Some(touch.agent), other].into_iter().flatten() {
+                velocities[touched] = self.engine_velocities[touched];
+                if !self.late.is_empty() {
+                    self.late[touched] = Vector::zeros();
+                    self.earlier[touched] = None;
+                }
             }
         }
         if let Err(failure) = self.check_next() {

@@ -143,11 +143,36 @@ impl<const D: usize> Flock<D> {
     }
 
     /// As [`Flock::accelerations`], without the laws that relax: their pulls are
-    /// integrated apart, see [`Flock::pulls`].
-    pub fn forces(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
+    /// integrated apart, see [`Flock::pulls`]. Where laws pull softly, the others go by the
+    /// velocities `before`, if there are any.
+    pub fn forces(
+        &mut self,
+        state: &State<'_, D>,
+        before: Option<&[Vector<D>]>,
+        out: &mut [Vector<D>],
+    ) {
         self.remember(state);
         let stiff = self.is_stiff();
-        self.add_up(|_, law| !relaxes(law, stiff), state, out);
+        let soft = |law: &dyn Law<D>| law.stiffness() > 0.0;
+        match before.filter(|_| self.pulls_softly()) {
+            Some(before) if !self.laws.iter().all(|law| soft(&**law)) => {
+                let other = State {
+                    velocities: before,
+                    ..*state
+                };
+                self.add_up(|_, law| !soft(law) && !relaxes(law, stiff), &other, out);
+                let mut pulled = vec![Vector::zeros(); out.len()];
+                self.add_up(|_, law| soft(law), state, &mut pulled);
+                out.iter_mut().zip(pulled).for_each(|(out, it)| *out += it);
+            }
+            _ => self.add_up(|_, law| !relaxes(law, stiff), state, out),
+        }
+    }
+
+    /// Whether some law that might relax does not: at a small part of its rate per step it is held
+    /// over the step, and needs velocities of third order to be no less exact than if it did.
+    pub fn pulls_softly(&self) -> bool {
+        !self.is_stiff() && self.laws.iter().any(|law| law.stiffness() > 0.0)
     }
 
     /// Whether some law relaxes.

@@ -20,6 +20,7 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
+    motion: check::Motion,
 }
 
 impl Document {
@@ -29,6 +30,7 @@ impl Document {
             name: name.into(),
             text: text.into(),
             overrides: Vec::new(),
+            motion: check::Motion::OfBodies,
         }
     }
 
@@ -36,6 +38,12 @@ impl Document {
     pub fn with(mut self, overrides: impl IntoIterator<Item = Override>) -> Self {
         self.overrides.extend(overrides);
         self
+    }
+
+    /// The same document, of a world whose agents move in this way: points need no steps that
+    /// are short enough for bodies.
+    pub fn moved(self, motion: check::Motion) -> Self {
+        Self { motion, ..self }
     }
 
     /// What the messages call it.
@@ -52,7 +60,7 @@ impl Document {
         self.clear(validate::problems(&world))?;
         let spec: WorldSpec = serde_json::from_value(world)
             .map_err(|error| self.report(vec![Problem::new("", error.to_string())]))?;
-        self.clear(check::joint_problems(&spec))?;
+        self.clear(check::joint_problems(&spec, self.motion))?;
         Ok(spec)
     }
 

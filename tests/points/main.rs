@@ -3,9 +3,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod dense;
 mod jumps;
 mod nets;
 mod papers;
 mod reference;
 mod runs;
+mod sliding;
 mod stiff;

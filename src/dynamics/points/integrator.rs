@@ -103,6 +103,11 @@ impl Integrator {
         Ok(solution.into_method())
     }
 
+    /// Counts jumps that were met between its steps.
+    pub(super) fn note_jumps(&mut self, jumps: usize) {
+        self.jumps += jumps as u64;
+    }
+
     /// Whether it can go on with this many coordinates of positions.
     pub(super) fn fits(&self, coordinates: usize) -> bool {
         self.implicit.as_ref().is_none_or(|it| it.fits(coordinates))

@@ -7,17 +7,24 @@
 //! that observers see is one that it has computed, none is interpolated. Where laws pull so
 //! stiffly that an explicit solver would need many steps for one of the world's, an implicit
 //! one takes them. Where a pair of agents comes within a distance at which some law jumps,
-//! or leaves it, a step ends, within rounding of that time; other corners and jumps, of
-//! obstacles, fields of view, lines of sight and functions of time, are left to the control of
-//! the error.
+//! or leaves it, a step ends; until then the pair is held on the side where it was, so that no step
+//! sees both. A pair that the laws drive back to such a distance from both sides comes and goes ever
+//! faster. Once it gets no farther from it than an error in a position may be, or has crossed it
+//! 200 times in a step of the world, it slides there: see `sliding.rs`. A pair that crosses as often
+//! and does not slide is from then on looked at 200 times a step. So the work is bounded.
+//!
+//! Other corners and jumps, of obstacles, fields of view, lines of sight and functions of time, are
+//! left to the control of the error.
 
 mod accuracy;
+mod agents;
 mod course;
 mod field;
 mod fitness;
 mod integrator;
 mod links;
 mod sliding;
+mod watched;
 
 pub use accuracy::{Accuracy, Solver};
 
@@ -30,7 +37,8 @@ use crate::math::{Stuck, Stumble, Vector, axis};
 use crate::shape::Obstacle;
 use crate::stop::Stop;
 use crate::world::World;
-use field::{Agents, Field, read};
+use agents::Agents;
+use field::{Field, read};
 use integrator::Integrator;
 
 /// Agents as point masses.
@@ -212,7 +220,8 @@ impl<const D: usize> Points<D> {
         self.positions = positions;
         self.velocities = velocities;
         self.step += 1;
-        self.agents.note_sliding();
+        let crossed = self.agents.note_sliding(&self.positions);
+        self.integrator.note_jumps(crossed);
         self.turn();
         self.move_obstacles();
         self.push(flock)

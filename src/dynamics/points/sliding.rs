@@ -9,7 +9,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::links::Watched;
+use super::watched::Watched;
 use crate::math::Vector;
 
 /// Rounds in which pairs that share agents are put right.
