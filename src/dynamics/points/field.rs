@@ -2,7 +2,7 @@
 
 use super::agents::Agents;
 use super::sliding;
-use super::watched::{MOST_CROSSINGS, Side, Watched};
+use super::watched::{Side, Watched};
 use crate::dynamics::turn;
 use crate::law::{Flock, State};
 use crate::math::{System, Vector};
@@ -15,10 +15,8 @@ pub(super) struct Field<'a, const D: usize> {
     agents: &'a mut Agents<D>,
     flock: &'a mut Flock<D>,
     stop: Stop,
-    /// The accuracy that pairs which come and go are judged by, and the shortest time after which
-    /// those are looked at that do so without end.
+    /// The accuracy that pairs which come and go are judged by.
     accuracy: f64,
-    patience: f64,
     /// Whether the jump to be crossed may be disregarded from now on.
     faint: bool,
     /// Scratch.
@@ -39,7 +37,6 @@ impl<'a, const D: usize> Field<'a, D> {
         flock: &'a mut Flock<D>,
         stop: &Stop,
         accuracy: f64,
-        step: f64,
     ) -> Self {
         let zeros = || vec![Vector::zeros(); agents.groups.len()];
         Self {
@@ -51,7 +48,6 @@ impl<'a, const D: usize> Field<'a, D> {
             holds: Vec::new(),
             stop: stop.clone(),
             accuracy,
-            patience: step / f64::from(MOST_CROSSINGS),
             faint: false,
             agents,
             flock,
@@ -186,7 +182,7 @@ impl<'a, const D: usize> Field<'a, D> {
         let rate = pair.course([x, v, v])[1];
         let far = rate * rate / (4.0 * effect * weight.min(1.0 - weight));
         let allowed = self.accuracy * self.agents.largest[0];
-        0.5 * far * pair.distance <= allowed || pair.is_blurred()
+        0.5 * far * pair.distance <= allowed || pair.crosses_too_often()
     }
 
     /// Lets go those pairs that slide no more.
@@ -235,8 +231,7 @@ impl<const D: usize> System for Field<'_, D> {
         }
         self.read(state);
         if !self.agents.links.follow(&self.positions) {
-            // The error tells.
-            return f64::INFINITY;
+            return f64::NAN;
         }
         let margin = self.agents.links.margin(&self.positions);
         if margin < 0.0 || self.agents.links.sliding().is_empty() {
@@ -254,11 +249,7 @@ impl<const D: usize> System for Field<'_, D> {
         self.read(state);
         read(&slope[state.len() / 2..], &mut self.accelerations);
         let state = [&self.positions[..], &self.velocities, &self.accelerations];
-        let time = self.agents.links.foresee(state);
-        match self.agents.links.is_blurred() {
-            true => time.min(self.patience),
-            false => time,
-        }
+        self.agents.links.foresee(state)
     }
 
     fn hindsight(&mut self, state: &[f64], slope: &[f64]) -> Option<f64> {
@@ -284,11 +275,14 @@ impl<const D: usize> System for Field<'_, D> {
         self.agents.links.dip(step, [x, v, a], later)
     }
 
-    fn cross(&mut self, time: f64, state: &mut [f64]) {
+    fn cross(&mut self, time: f64, free: f64, state: &mut [f64]) -> usize {
         self.read(state);
         let faint = std::mem::take(&mut self.faint);
-        let crossed = self.agents.links.cross(&self.positions, faint);
-        let mut caught = false;
+        let crossed = self
+            .agents
+            .links
+            .cross([time, free], &self.positions, faint);
+        let (count, mut caught) = (crossed.len(), false);
         for place in crossed {
             if self.slides(time, place) {
                 self.agents.links.put(place, Side::Sliding);
@@ -297,7 +291,7 @@ impl<const D: usize> System for Field<'_, D> {
         }
         let sliding = self.agents.links.sliding();
         if sliding.is_empty() {
-            return;
+            return count;
         }
         if caught {
             let pairs = self.at(&sliding);
@@ -309,14 +303,15 @@ impl<const D: usize> System for Field<'_, D> {
             }
         }
         self.release(time);
+        count
     }
 
-    fn arrive(&mut self, _: f64, state: &[f64]) -> bool {
+    fn arrive(&mut self, time: f64, state: &[f64]) -> bool {
         if self.agents.links.is_empty() {
             return false;
         }
         read(&state[..state.len() / 2], &mut self.positions);
-        self.agents.links.arrive(&self.positions)
+        self.agents.links.arrive(time, &self.positions)
     }
 
     fn disregard(&mut self) {

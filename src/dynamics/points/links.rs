@@ -5,7 +5,7 @@
 //! was made, no other pair can have come to it.
 
 use super::course::{first_root, quintic};
-use super::watched::{Side, Watched};
+use super::watched::{LOOKS, Side, Watched};
 use crate::math::Vector;
 use crate::sense::{Cells, Hold};
 
@@ -31,6 +31,7 @@ pub(super) struct Links<const D: usize> {
     slack: f64,
     /// The pair that is about to cross, by its place in the list.
     next: Option<usize>,
+    patience: f64,
     cells: Cells<D>,
 }
 
@@ -69,6 +70,7 @@ impl<const D: usize> Links<D> {
     /// Makes the list anew around the same reference; what is known of pairs is kept.
     fn list(&mut self, skin: f64) {
         let before = std::mem::take(&mut self.watched);
+        self.next = None;
         self.skin = skin;
         for &distance in &self.distances {
             let reach = (1.0 + skin) * distance;
@@ -80,17 +82,7 @@ impl<const D: usize> Links<D> {
             each_pair(&self.cells, reach, |pair, squared| {
                 if squared >= least * least {
                     // A pair at the very distance counts as within, for laws as well.
-                    let side = match squared <= square {
-                        true => Side::Within,
-                        false => Side::Beyond,
-                    };
-                    watched.push(Watched {
-                        pair,
-                        distance,
-                        side,
-                        crossings: 0,
-                        faint: false,
-                    });
+                    watched.push(Watched::new(pair, distance, squared <= square));
                 }
             });
             self.watched[begin..].sort_unstable_by_key(|one| one.pair);
@@ -127,16 +119,17 @@ impl<const D: usize> Links<D> {
 
     /// The same where a step has ended, with the list made around where the agents are now if
     /// they are far from where they were.
-    pub fn arrive(&mut self, positions: &[Vector<D>]) -> bool {
+    pub fn arrive(&mut self, time: f64, positions: &[Vector<D>]) -> bool {
         let mut changed = false;
         for one in &mut self.watched {
-            if one.is_blurred() && one.side != Side::Sliding {
-                let side = match one.excess(positions) <= 0.0 {
-                    true => Side::Within,
-                    false => Side::Beyond,
-                };
-                changed |= side != one.side;
-                one.side = side;
+            let Some(until) = one.blurred.filter(|_| one.side != Side::Sliding) else {
+                continue;
+            };
+            let side = Side::of(one.excess(positions) <= 0.0);
+            changed |= side != one.side;
+            one.side = side;
+            if time >= until {
+                (one.blurred, one.crossings) = (None, 0);
             }
         }
         let least = self.distances.iter().copied().fold(f64::INFINITY, f64::min);
@@ -174,7 +167,7 @@ impl<const D: usize> Links<D> {
     }
 
     /// About how long it takes to the next crossing, from positions, velocities and
-    /// accelerations.
+    /// accelerations; or to where pairs are to be looked at.
     pub fn foresee(&mut self, state: [&[Vector<D>]; 3]) -> f64 {
         self.next = None;
         let mut least = f64::INFINITY;
@@ -190,6 +183,10 @@ impl<const D: usize> Links<D> {
             {
                 (least, self.next) = (time, Some(place));
             }
+        }
+        let patience = self.patience();
+        if patience < least {
+            (least, self.next) = (patience, None);
         }
         least
     }
@@ -242,20 +239,23 @@ impl<const D: usize> Links<D> {
     }
 
     /// Takes the pair that is about to cross, and those that have crossed, to the other side;
-    /// returns their places in the list.
-    pub fn cross(&mut self, positions: &[Vector<D>], faint: bool) -> Vec<usize> {
+    /// returns their places in the list. See [`Watched::cross`].
+    pub fn cross(
+        &mut self,
+        [time, free]: [f64; 2],
+        positions: &[Vector<D>],
+        faint: bool,
+    ) -> Vec<usize> {
         let next = self.next.take();
         let mut crossed = Vec::new();
         for (place, one) in self.watched.iter_mut().enumerate() {
             let margin = one.sign() * one.excess(positions) + self.slack;
             if one.counts() && (next == Some(place) || margin < 0.0) {
-                one.side = match one.side {
-                    Side::Within => Side::Beyond,
-                    _ => Side::Within,
-                };
-                one.crossings += u32::from(!faint);
-                one.faint = faint;
+                one.cross(time, free, faint);
                 crossed.push(place);
+                if one.blurred.is_some() {
+                    self.patience = LOOKS * free;
+                }
             }
         }
         crossed
@@ -278,9 +278,12 @@ impl<const D: usize> Links<D> {
         sliding.map(|(place, _)| place).collect()
     }
 
-    /// Whether some pair crosses too often to be waited for.
-    pub fn is_blurred(&self) -> bool {
-        self.watched.iter().any(Watched::is_blurred)
+    /// How soon to look at pairs whose crossings are not waited for; infinite where there are none.
+    fn patience(&self) -> f64 {
+        match self.watched.iter().any(|one| one.blurred.is_some()) {
+            true => self.patience,
+            false => f64::INFINITY,
+        }
     }
 }
 
@@ -334,7 +337,10 @@ mod tests {
         holds.clear();
         links.hold(&row([0.0, 1.95, 3.9]), &mut holds);
         assert_eq!(holds, [held([1, 2], 0.0)]);
-        assert_eq!(links.cross(&row([0.0, 1.95, 3.9]), false).len(), 1);
+        assert_eq!(
+            links.cross([0.0, 1.0], &row([0.0, 1.95, 3.9]), false).len(),
+            1
+        );
         holds.clear();
         links.hold(&row([0.0, 1.95, 3.9]), &mut holds);
         assert_eq!(holds, []);

@@ -10,8 +10,9 @@
 //! or leaves it, a step ends; until then the pair is held on the side where it was, so that no step
 //! sees both. A pair that the laws drive back to such a distance from both sides comes and goes ever
 //! faster. Once it gets no farther from it than an error in a position may be, or has crossed it
-//! 200 times in a step of the world, it slides there: see `sliding.rs`. A pair that crosses as often
-//! and does not slide is from then on looked at 200 times a step. So the work is bounded.
+//! 200 times, each within a five-hundredth of the step that the solver would take without, it slides
+//! there: see `sliding.rs`. A pair that crosses as often and does not slide is for the length of such
+//! a step looked at twenty times only. So the work is bounded.
 //!
 //! Other corners and jumps, of obstacles, fields of view, lines of sight and functions of time, are
 //! left to the control of the error.
@@ -90,8 +91,7 @@ impl<const D: usize> Points<D> {
         points.turn();
         points.push(flock)?;
         let state = points.flat();
-        let [relative, step] = [accuracy.relative, points.step_size];
-        let field = Field::new(&mut points.agents, flock, &points.stop, relative, step);
+        let field = Field::new(&mut points.agents, flock, &points.stop, accuracy.relative);
         points.integrator = Integrator::choose(field, &state, points.step_size);
         Ok(points)
     }
@@ -194,13 +194,7 @@ impl<const D: usize> Points<D> {
         let mut state = self.flat();
         self.agents.measure(&self.positions, &self.velocities);
         let relative = self.accuracy.relative;
-        let field = Field::new(
-            &mut self.agents,
-            flock,
-            &self.stop,
-            relative,
-            self.step_size,
-        );
+        let field = Field::new(&mut self.agents, flock, &self.stop, relative);
         let done = self.integrator.advance(field, &mut state, times, relative);
         done.map_err(|Stuck { time, over }| match over {
             Stumble::Error => Failure::Stuck { time },
@@ -292,8 +286,8 @@ impl<const D: usize> Points<D> {
             flock.accelerations(&self.state(), &mut wanted);
         } else {
             let (time, state) = (self.time(), self.flat());
-            let [relative, step] = [self.accuracy.relative, self.step_size];
-            let field = Field::new(&mut self.agents, flock, &self.stop, relative, step);
+            let relative = self.accuracy.relative;
+            let field = Field::new(&mut self.agents, flock, &self.stop, relative);
             wanted = field.accelerations(time, &state);
         }
         for (i, wanted) in wanted.iter().enumerate() {

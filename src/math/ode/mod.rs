@@ -28,7 +28,7 @@ pub trait System {
     }
 
     /// How far a state is from the place where the slope next jumps: positive before it,
-    /// negative beyond, infinite where nothing jumps.
+    /// negative beyond, infinite where nothing jumps; no number where it is too far away to tell.
     fn margin(&mut self, _time: f64, _state: &[f64]) -> f64 {
         f64::INFINITY
     }
@@ -52,8 +52,11 @@ pub trait System {
     }
 
     /// Says that the state has come to the jumps that it is beyond, or crosses next: from now on
-    /// it is on the other side of them. What cannot be crossed may put the state right.
-    fn cross(&mut self, _time: f64, _state: &mut [f64]) {}
+    /// it is on the other side of them. What cannot be crossed may put the state right. A step
+    /// that met no jump would be about `free` long. Returns how many jumps were crossed.
+    fn cross(&mut self, _time: f64, _free: f64, _state: &mut [f64]) -> usize {
+        0
+    }
 
     /// As [`System::slope`], beyond the jumps that the state is beyond.
     fn peek(&mut self, time: f64, state: &[f64], out: &mut [f64]) {

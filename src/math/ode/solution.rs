@@ -338,9 +338,10 @@ mod tests {
             Some((y[0] - 1.0) / slope[0])
         }
 
-        fn cross(&mut self, time: f64, _: &mut [f64]) {
+        fn cross(&mut self, time: f64, _: f64, _: &mut [f64]) -> usize {
             self.above = !self.above;
             self.crossed.push(time);
+            1
         }
     }
 

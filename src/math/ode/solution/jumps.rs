@@ -63,6 +63,10 @@ impl<S: System, M: Method> Solution<S, M> {
     /// of jumps: then `aim` says how far.
     pub(super) fn meet(&mut self, aim: &mut Aim, step: f64, reached: f64) -> bool {
         let margin = self.system.margin(reached, &self.end);
+        if margin.is_nan() {
+            aim.limit = 0.5 * step;
+            return false;
+        }
         let mut after = std::mem::take(&mut self.after);
         self.system.slope(reached, &self.end, &mut after);
         self.after = after;
@@ -125,8 +129,7 @@ impl<S: System, M: Method> Solution<S, M> {
 
     /// Goes over to the other side of the jump.
     fn cross(&mut self) {
-        self.system.cross(self.time, &mut self.state);
-        self.jumps += 1;
+        self.jumps += self.system.cross(self.time, self.step, &mut self.state);
         self.known = false;
         self.bent = false;
     }
