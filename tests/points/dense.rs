@@ -106,7 +106,7 @@ fn runs_end(seeds: std::ops::Range<u64>, steps: usize, most: usize) {
 
 #[test]
 fn dense_starts_end() {
-    runs_end(0..16, 40, 100);
+    runs_end(0..8, 40, 100);
 }
 
 #[test]

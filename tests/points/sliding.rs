@@ -16,11 +16,12 @@ const RANGE: f64 = 2.0;
 const PUSH: f64 = 3.0;
 
 /// A push within a range that ends at once, or on a slope of some width; a spring to the middle
-/// of the world, and drag.
+/// of the world, drag, and what turns all about the middle.
 struct Fence {
     /// The width of the slope, as a share of the range; 0 for a jump.
     width: f64,
     drag: f64,
+    turn: f64,
 }
 
 impl Law<2> for Fence {
@@ -39,7 +40,9 @@ impl Law<2> for Fence {
     fn accelerate(&self, scene: &Scene<'_, 2>, first: usize, out: &mut [Vector<2>]) {
         for (k, out) in out.iter_mut().enumerate() {
             let i = first + k;
-            *out -= scene.positions[i] * 0.7 + scene.velocities[i] * self.drag;
+            let place = scene.positions[i];
+            *out -= place * 0.7 + scene.velocities[i] * self.drag;
+            *out += Vector::<2>::new(-place[1], place[0]) * self.turn;
             scene.neighbours(i, Law::<2>::range(self), |other| {
                 let distance = other.squared.sqrt();
                 let share = match self.width == 0.0 {
@@ -76,7 +79,17 @@ fn run(world: World<2>, fence: Fence, time: f64) -> (Simulation<2>, Vec<Vector<2
 
 fn compare(places: &[[f64; 2]], velocities: &[[f64; 2]], slides: &[[usize; 2]]) {
     for time in [3.0, 8.0] {
-        let at = |width| run(start(places, velocities), Fence { width, drag: 1.5 }, time);
+        let at = |width| {
+            run(
+                start(places, velocities),
+                Fence {
+                    width,
+                    drag: 6.0,
+                    turn: 4.0,
+                },
+                time,
+            )
+        };
         let (simulation, sliding) = at(0.0);
         let (_, steep) = at(1e-4);
         let (_, gentle) = at(2e-4);
@@ -121,6 +134,7 @@ fn what_swings_about_a_jump_ends() {
     let fence = Fence {
         width: 0.0,
         drag: 0.0,
+        turn: 0.0,
     };
     let (simulation, end) = run(world, fence, 8.0);
     let jumps = simulation.solver().expect("points").jumps;
@@ -138,6 +152,7 @@ fn a_step_stops_where_it_is_asked_to() {
     let fence = Fence {
         width: 1e-4,
         drag: 0.0,
+        turn: 0.0,
     };
     let dynamics = Dynamics::Points(Accuracy { relative: 1e-12 });
     let mut simulation =
