@@ -78,7 +78,7 @@ fn run(world: World<2>, fence: Fence, time: f64) -> (Simulation<2>, Vec<Vector<2
 }
 
 fn compare(places: &[[f64; 2]], velocities: &[[f64; 2]], slides: &[[usize; 2]]) {
-    for time in [3.0, 8.0] {
+    for time in [12.0, 14.0] {
         let at = |width| {
             run(
                 start(places, velocities),
