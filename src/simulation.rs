@@ -15,6 +15,7 @@ use crate::math::Vector;
 use crate::metric::{Ledger, NetAnalysis, measure, share_apart};
 use crate::sense::History;
 use crate::shape::In;
+use crate::stop::Stop;
 use crate::trace::record::{Contact, Metrics, Record, Summary};
 use crate::world::World;
 use profiling::Watches;
@@ -29,6 +30,8 @@ pub struct SimulationState<const D: usize> {
     net_analysis: NetAnalysis,
     smallest_agent_gap: Option<f64>,
     smallest_obstacle_gap: Option<f64>,
+    #[serde(default)]
+    framed: Option<u64>,
 }
 
 /// Why [`Simulation::advance`] came back.
@@ -36,7 +39,7 @@ pub struct SimulationState<const D: usize> {
 pub enum Pause {
     /// The step that it was to go to is reached.
     Reached,
-    /// Whoever watched wants to stop.
+    /// Whoever watched wants to stop, or somebody asked for it.
     Stopped,
     /// The state cannot go on; it is the one before the step that failed.
     Failed(Failure),
@@ -51,7 +54,10 @@ pub struct Simulation<const D: usize> {
     net_analysis: NetAnalysis,
     smallest_agent_gap: Option<f64>,
     smallest_obstacle_gap: Option<f64>,
+    /// The step of the last frame: one that was stopped within the step after it has it already.
+    framed: Option<u64>,
     watches: Watches,
+    stop: Stop,
 }
 
 impl<const D: usize> Simulation<D>
@@ -94,7 +100,9 @@ where
             net_analysis: NetAnalysis::default(),
             smallest_agent_gap: None,
             smallest_obstacle_gap: None,
+            framed: None,
             watches: Watches::default(),
+            stop: Stop::default(),
         })
     }
 
@@ -119,13 +127,23 @@ where
             net_analysis: state.net_analysis,
             smallest_agent_gap: state.smallest_agent_gap,
             smallest_obstacle_gap: state.smallest_obstacle_gap,
+            framed: state.framed,
             watches: Watches::default(),
+            stop: Stop::default(),
             world,
         })
     }
 }
 
 impl<const D: usize> Simulation<D> {
+    /// Stops from now on as soon as it can where somebody asks for it: between two steps, and
+    /// within one where that may take long. [`Simulation::advance`] comes back with
+    /// [`Pause::Stopped`], at the state before the step that was not ended.
+    pub fn heed(&mut self, stop: Stop) {
+        self.agents.heed(stop.clone());
+        self.stop = stop;
+    }
+
     /// Runs to the world's end. Everything that happens goes to `record`: the header, frames
     /// and contacts as they come, the summary last. After each step `watch` sees the state
     /// and may stop the run.
@@ -166,7 +184,12 @@ impl<const D: usize> Simulation<D> {
     ) -> Result<Pause, E> {
         let frame_steps = self.world.frame_steps();
         while self.snapshot().step < end {
-            if self.snapshot().step.is_multiple_of(frame_steps) {
+            if self.stop.asked() {
+                return Ok(Pause::Stopped);
+            }
+            let step = self.snapshot().step;
+            if step.is_multiple_of(frame_steps) && self.framed != Some(step) {
+                self.framed = Some(step);
                 let frame = Record::Frame(self.frame(false));
                 self.watches.trace.time(|| record(frame))?;
             }
@@ -174,6 +197,7 @@ impl<const D: usize> Simulation<D> {
                 Ok(over) => over
                     .into_iter()
                     .try_for_each(|c| self.watches.trace.time(|| record(Record::Contact(c))))?,
+                Err(Failure::Stopped) => return Ok(Pause::Stopped),
                 Err(failure) => return Ok(Pause::Failed(failure)),
             }
             if watch(&self.snapshot()).is_break() && self.snapshot().step < self.world.steps() {
@@ -196,12 +220,7 @@ impl<const D: usize> Simulation<D> {
     ) -> Result<Summary, E> {
         let failed = matches!(pause, Pause::Failed(_));
         // A step that failed left the state before it, but not the engine's.
-        let recorded = failed
-            && self
-                .snapshot()
-                .step
-                .is_multiple_of(self.world.frame_steps());
-        if !recorded {
+        if self.framed != Some(self.snapshot().step) {
             // Who stops a run waits for no analysis that takes long.
             let frame = Record::Frame(self.frame(pause == Pause::Stopped));
             self.watches.trace.time(|| record(frame))?;
@@ -245,12 +264,15 @@ impl<const D: usize> Simulation<D> {
             world: _,
             // The past alone.
             watches: _,
+            // Given again when it goes on.
+            stop: _,
             flock,
             agents,
             ledger,
             net_analysis,
             smallest_agent_gap,
             smallest_obstacle_gap,
+            framed,
         } = self;
         Ok(SimulationState {
             agents: agents.capture()?,
@@ -260,6 +282,7 @@ impl<const D: usize> Simulation<D> {
             net_analysis: net_analysis.clone(),
             smallest_agent_gap: *smallest_agent_gap,
             smallest_obstacle_gap: *smallest_obstacle_gap,
+            framed: *framed,
         })
     }
 

@@ -146,12 +146,13 @@ impl Checkpoint {
     where
         In<D>: Engine<D>,
     {
-        let world = World::new(self.name.clone(), self.world.clone()).map_err(|problems| {
-            let problem = problems.first();
-            self.unusable(problem.map_or_else(String::new, |problem| {
-                format!("its world's {} {}", problem.path, problem.what)
-            }))
-        })?;
+        let world =
+            World::of_points(self.name.clone(), self.world.clone()).map_err(|problems| {
+                let problem = problems.first();
+                self.unusable(problem.map_or_else(String::new, |problem| {
+                    format!("its world's {} {}", problem.path, problem.what)
+                }))
+            })?;
         let state: SimulationState<D> =
             postcard::from_bytes(&self.state).map_err(|e| self.unusable(e.to_string()))?;
         Simulation::restore(world, more, state).map_err(|e| self.unusable(e.to_string()))

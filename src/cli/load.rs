@@ -5,6 +5,7 @@ use std::io::{ErrorKind, IsTerminal, Read};
 use std::path::Path;
 
 use volary::validate;
+use volary::world::check::Motion;
 use volary::world::limits::MOST_BYTES;
 use volary::world::{AnyWorld, Document, Override, Report, shipped};
 
@@ -20,10 +21,21 @@ pub(super) fn load(
     overrides: Vec<Override>,
     quiet: bool,
 ) -> Result<AnyWorld, Refusal> {
+    load_moved(world, overrides, Motion::OfBodies, quiet)
+}
+
+/// As [`load`], of a world whose agents move as bodies or as points.
+pub(super) fn load_moved(
+    world: &str,
+    overrides: Vec<Override>,
+    motion: Motion,
+    quiet: bool,
+) -> Result<AnyWorld, Refusal> {
     let progress = Progress::of_preparation(format!("reading {world}"), quiet);
     let found = find(world);
     let document = found.map(|(name, document)| {
-        let document = document.with(overrides).watched(progress.watch(world));
+        let document = document.with(overrides).moved(motion);
+        let document = document.watched(progress.watch(world));
         (document.world(name), document)
     });
     progress.finish();

@@ -9,7 +9,7 @@ use volary::shape::In;
 use volary::simulation::Simulation;
 use volary::stop::Stop;
 use volary::trace::{BackgroundWriter, TraceWriter};
-use volary::world::check::on_a_step;
+use volary::world::check::{Motion, on_a_step};
 use volary::world::{AnyWorld, Override, World};
 
 use super::drive::{Drive, Keeper, Threads};
@@ -112,6 +112,14 @@ impl RunArguments {
         }
     }
 
+    /// Which steps are short enough depends on it.
+    fn motion(&self) -> Motion {
+        match self.dynamics {
+            Kind::Bodies => Motion::OfBodies,
+            Kind::Points => Motion::OfPoints,
+        }
+    }
+
     /// Everything that replaces a value of the file; what comes last wins.
     fn overrides(&self) -> Result<Vec<Override>, Refusal> {
         let named = [
@@ -144,7 +152,8 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
 /// Runs a world, writes what was asked for and prints a summary.
 pub(super) fn run(arguments: &RunArguments, stop: &Stop) -> Result<(), Refusal> {
     files::check(arguments)?;
-    let world = load::load(&arguments.world, arguments.overrides()?, arguments.quiet)?;
+    let (overrides, motion) = (arguments.overrides()?, arguments.motion());
+    let world = load::load_moved(&arguments.world, overrides, motion, arguments.quiet)?;
     arguments.threads.install(|| match world {
         AnyWorld::Plane(world) => run_world(arguments, world, stop),
         AnyWorld::Space(world) => run_world(arguments, world, stop),

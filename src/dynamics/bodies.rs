@@ -73,6 +73,10 @@ pub struct Bodies<const D: usize> {
     applied: Vec<Vector<D>>,
     /// From the velocity that the engine will have to that at the end of the step.
     ahead: Vec<Vector<D>>,
+    /// Where laws pull softly, what of `ahead` makes velocities of third order, and what was
+    /// applied in the last step, if nothing was touched in it; else empty.
+    late: Vec<Vector<D>>,
+    earlier: Vec<Option<Vector<D>>>,
     /// The pulls of the laws that relax.
     pulls: Pulls<D>,
     touches: Vec<Touch<D>>,
@@ -139,6 +143,8 @@ impl<const D: usize> Bodies<D> {
             forces: zeros.clone(),
             applied: zeros.clone(),
             ahead: zeros,
+            late: Vec::new(),
+            earlier: Vec::new(),
             pulls: Pulls::default(),
             touches: Vec::new(),
             contacts: Contacts::new(world),

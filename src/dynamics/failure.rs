@@ -44,15 +44,9 @@ pub enum Failure {
         /// The time that was reached.
         time: f64,
     },
-    /// The laws drive agents back to a distance at which they jump, from both sides.
-    #[error(
-        "at time {time} the laws jump again and again: they drive agents back to a distance at \
-         which they end at once, from both sides; laws that fade out do not"
-    )]
-    Jumps {
-        /// The time that was reached.
-        time: f64,
-    },
+    /// Somebody asked to stop within a step.
+    #[error("stopped")]
+    Stopped,
     /// The world asks for what points do not have.
     #[error("{field}: points {why}; run it with bodies, or leave the field out")]
     NotForPoints {

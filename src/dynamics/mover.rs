@@ -7,6 +7,7 @@ use super::{Bodies, BodiesState, Cuts, Engine, Failure, Gaps, Snapshot, Strain, 
 use crate::law::{Flock, State};
 use crate::math::Vector;
 use crate::shape::In;
+use crate::stop::Stop;
 use crate::world::World;
 
 /// How agents are moved.
@@ -78,10 +79,18 @@ where
 }
 
 impl<const D: usize> Mover<D> {
-    /// Takes one step of the world. One that fails leaves the state before it.
+    /// Stops from now on within a step where somebody asks for it; bodies end their steps.
+    pub fn heed(&mut self, stop: Stop) {
+        if let Self::Points(points) = self {
+            points.heed(stop);
+        }
+    }
+
+    /// Takes one step of the world. One that fails, or was stopped, leaves the state before it.
     ///
     /// # Errors
-    /// Where the state or the laws are no longer finite, or the integration gets stuck.
+    /// Where the state or the laws are no longer finite, the integration gets stuck, or it was
+    /// stopped.
     pub fn step(&mut self, flock: &mut Flock<D>) -> Result<(), Failure> {
         match self {
             Self::Bodies(bodies) => bodies.step(flock),

@@ -28,6 +28,9 @@
 //! positions; and what the print leaves unweighted, the force of `nonsmooth` and the damping,
 //! is weighted by the cone as well.
 //!
+//! On bodies `smooth_weighted_damping`, and any protocol but `nonsmooth` without damping, is of
+//! second order in the step. The others jump at r, and are of first order once a link comes or goes.
+//!
 //! Two agents at the same point have no direction between them and exert no force.
 
 use std::ops::Range;

@@ -20,6 +20,9 @@
 //! Λ is that of the true velocities of the agents that the law may count as neighbours, whom
 //! each agent sees or not: by Lemma 9 it is (Σ_i |v_i − v̄|²)^½ over them. When they agree, nothing
 //! repels.
+//!
+//! On bodies it is of second order in the step without a `range`; with one of first order, as links
+//! come and go.
 
 use crate::law::Law;
 use crate::law::pair_force::PairForce;

@@ -12,6 +12,9 @@
 //!
 //! A body cannot have a velocity at once, so what (16) prescribes is what it is steered to. Two
 //! agents at the same point have no direction between them and do not part.
+//!
+//! On bodies it is of second order in the step without a `range`; with one of first order, as links
+//! come and go.
 
 use crate::law::Law;
 use crate::law::pair_force::PairForce;

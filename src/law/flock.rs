@@ -7,7 +7,7 @@ use crate::law::watches::Watches;
 use crate::law::{Law, Pulls, build};
 use crate::math::{Matrix, Vector};
 use crate::parallel::{CHUNK, for_each, gather};
-use crate::sense::{History, Senses};
+use crate::sense::{History, Hold, Senses};
 use crate::shape::Obstacle;
 use crate::world::World;
 
@@ -127,16 +127,52 @@ impl<const D: usize> Flock<D> {
     /// Each agent's sum is taken in a fixed order, so the result does not depend on
     /// the number of threads.
     pub fn accelerations(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
+        self.accelerations_held(state, &[], out);
+    }
+
+    /// As [`Flock::accelerations`], with some pairs held as near or far, whatever their
+    /// distances are.
+    pub fn accelerations_held(
+        &mut self,
+        state: &State<'_, D>,
+        holds: &[Hold],
+        out: &mut [Vector<D>],
+    ) {
         self.remember(state);
-        self.add_up(|_, _| true, state, out);
+        self.add_up_held(|_, _| true, state, holds, out);
     }
 
     /// As [`Flock::accelerations`], without the laws that relax: their pulls are
-    /// integrated apart, see [`Flock::pulls`].
-    pub fn forces(&mut self, state: &State<'_, D>, out: &mut [Vector<D>]) {
+    /// integrated apart, see [`Flock::pulls`]. Where laws pull softly, the others go by the
+    /// velocities `before`, if there are any.
+    pub fn forces(
+        &mut self,
+        state: &State<'_, D>,
+        before: Option<&[Vector<D>]>,
+        out: &mut [Vector<D>],
+    ) {
         self.remember(state);
         let stiff = self.is_stiff();
-        self.add_up(|_, law| !relaxes(law, stiff), state, out);
+        let soft = |law: &dyn Law<D>| law.stiffness() > 0.0;
+        match before.filter(|_| self.pulls_softly()) {
+            Some(before) if !self.laws.iter().all(|law| soft(&**law)) => {
+                let other = State {
+                    velocities: before,
+                    ..*state
+                };
+                self.add_up(|_, law| !soft(law) && !relaxes(law, stiff), &other, out);
+                let mut pulled = vec![Vector::zeros(); out.len()];
+                self.add_up(|_, law| soft(law), state, &mut pulled);
+                out.iter_mut().zip(pulled).for_each(|(out, it)| *out += it);
+            }
+            _ => self.add_up(|_, law| !relaxes(law, stiff), state, out),
+        }
+    }
+
+    /// Whether some law that might relax does not: at a small part of its rate per step it is held
+    /// over the step, and needs velocities of third order to be no less exact than if it did.
+    pub fn pulls_softly(&self) -> bool {
+        !self.is_stiff() && self.laws.iter().any(|law| law.stiffness() > 0.0)
     }
 
     /// Whether some law relaxes.
@@ -195,7 +231,7 @@ impl<const D: usize> Flock<D> {
     pub fn links(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
         let ranges @ [range, _] = ranges(choose(&self.laws, &|_, _| true));
         let senses = self.senses.as_ref();
-        let scene = self.stage.scene(state, ranges, senses, &self.history);
+        let scene = self.stage.scene(state, ranges, senses, &self.history, &[]);
         let mut links = Vec::new();
         if range > 0.0 {
             for (i, &agent) in scene.agents.iter().enumerate() {
@@ -213,7 +249,7 @@ impl<const D: usize> Flock<D> {
     pub fn blocked(&mut self, state: &State<'_, D>) -> Vec<[usize; 2]> {
         let ranges = ranges(choose(&self.laws, &|_, _| true));
         let senses = self.senses.as_ref();
-        let scene = self.stage.scene(state, ranges, senses, &self.history);
+        let scene = self.stage.scene(state, ranges, senses, &self.history, &[]);
         let mut blocked = Vec::new();
         for law in &mut self.laws {
             law.prepare(&scene);
@@ -239,7 +275,7 @@ impl<const D: usize> Flock<D> {
         let senses = self.senses.as_ref();
         let watches = &self.watches;
         let begin = watches.senses.begin();
-        let scene = self.stage.scene(state, ranges, senses, &self.history);
+        let scene = self.stage.scene(state, ranges, senses, &self.history, &[]);
         watches.senses.end(begin);
         pulls.clear();
         for (index, law) in self.laws.iter_mut().enumerate() {
@@ -259,11 +295,23 @@ impl<const D: usize> Flock<D> {
         state: &State<'_, D>,
         out: &mut [Vector<D>],
     ) {
+        self.add_up_held(chosen, state, &[], out);
+    }
+
+    fn add_up_held(
+        &mut self,
+        chosen: impl Fn(usize, &dyn Law<D>) -> bool + Sync,
+        state: &State<'_, D>,
+        holds: &[Hold],
+        out: &mut [Vector<D>],
+    ) {
         let ranges = ranges(choose(&self.laws, &chosen));
         let senses = self.senses.as_ref();
         let watches = &self.watches;
         let begin = watches.senses.begin();
-        let scene = self.stage.scene(state, ranges, senses, &self.history);
+        let scene = self
+            .stage
+            .scene(state, ranges, senses, &self.history, holds);
         watches.senses.end(begin);
         for (index, law) in self.laws.iter_mut().enumerate() {
             if chosen(index, &**law) {

@@ -16,6 +16,8 @@
 //!
 //! A smooth cone of perception multiplies a_ij by ρ(|θ_j − θ_i|/φ0), (18). Between opposite
 //! headings no way is the shortest, and none is turned.
+//!
+//! On bodies it is of second order in the step where `smooth`; else of first, as links come and go.
 
 use crate::law::Law;
 use crate::math::{Bump, Vector, turn_between};

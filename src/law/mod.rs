@@ -3,6 +3,11 @@
 //! A law adds to the acceleration of each agent; the flock sums its laws, so their
 //! order does not matter but for rounding. To add one: write its file, add its
 //! parameters to [`LawSpec`] and its line to [`build`].
+//!
+//! On bodies a law is of second order in the step where its acceleration is continuous in time,
+//! positions and velocities. Where it ends at once at a distance ([`Law::jump`]) it is of first:
+//! a link that comes or goes within a step is felt from the next one on. The file of a law that may
+//! be of first order says so. Points end their steps there and have no such error.
 
 mod alignment;
 mod all_pairs;

@@ -18,6 +18,9 @@
 //! The forces on a pair are equal and opposite, so without scopes and senses the sum over all
 //! agents is zero. Two agents at the same point have no direction between them and exert no
 //! force. A logarithmic potential keeps agents apart only while the step resolves it.
+//!
+//! On bodies it is of second order in the step without a `range`; with one of first order, as links
+//! come and go.
 
 use crate::law::Law;
 use crate::law::pair_force::PairForce;

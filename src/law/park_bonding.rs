@@ -15,6 +15,9 @@
 //! N is the number of agents that the law sees. The forces on a pair are equal and opposite.
 //! The damping takes relative velocities down at rates of up to σ K1/2. Two agents at the same
 //! point have no direction between them and exert no force.
+//!
+//! On bodies it is of second order in the step without a `range`; with one of first order, as links
+//! come and go.
 
 use crate::law::Law;
 use crate::math::Vector;

@@ -3,7 +3,9 @@
 use crate::law::{Law, State};
 use crate::math::{Vector, mean};
 use crate::parallel::gather;
-use crate::sense::{Cells, History, Perception, Scene, Search, Senses, Surroundings, Vicinity};
+use crate::sense::{
+    Cells, History, Hold, Perception, Scene, Search, Senses, Surroundings, Vicinity,
+};
 
 /// The state in the order of the scene, kept from step to step to save allocations.
 #[derive(Default)]
@@ -37,6 +39,7 @@ impl<const D: usize> Stage<D> {
         [range, finite]: [f64; 2],
         senses: Option<&Senses<D>>,
         history: &History<D>,
+        holds: &'a [Hold],
     ) -> Scene<'a, D> {
         self.surroundings.follow(state.obstacles);
         let mean_position = mean(state.positions);
@@ -79,6 +82,7 @@ impl<const D: usize> Stage<D> {
             mean_velocity: mean(state.velocities),
             perception: None,
             visible: None,
+            holds,
         };
         if let Some(senses) = senses {
             self.perception

@@ -24,7 +24,7 @@ pub(crate) use digits::digits;
 pub use gain::{Gain, shortened};
 pub use influence::Influence;
 pub use normal::normal_quantile;
-pub use ode::{Attempt, DormandPrince, Method, Radau, Solution, Stand, Stuck, Stumble, System};
+pub use ode::{DormandPrince, Method, Radau, Solution, Stand, Stuck, Stumble, System};
 pub use potential::Potential;
 pub use radial::{LARGEST_SQUARE, Radial, Repulsion, WithRadial, vectorized};
 pub(crate) use radial::{exp, inverse_square_root};

@@ -44,6 +44,15 @@ pub enum TimeFunction {
         /// Share of each period in which it is high, 0 to 1.
         duty: f64,
     },
+    /// end + (start − end) e^(−t/time).
+    Exponential {
+        /// The value at time 0.
+        start: f64,
+        /// The value that it tends to.
+        end: f64,
+        /// Time in which what is left to that falls to 1/e, above 0.
+        time: f64,
+    },
     /// The sum of some functions, 0 of none.
     Sum(Vec<TimeFunction>),
     /// The product of some functions, 1 of none.
@@ -96,6 +105,14 @@ impl TimeFunction {
                 true => *high,
                 false => *low,
             },
+            Self::Exponential {
+                start,
+                end,
+                time: scale,
+            } => {
+                let left = libm::exp(-time.max(0.0) / scale);
+                start * left + end * (1.0 - left)
+            }
             Self::Sum(terms) => terms.iter().fold(0.0, |sum, term| sum + term.value(time)),
             Self::Product(factors) => {
                 let values = factors.iter().map(|factor| factor.value(time));
@@ -128,6 +145,7 @@ impl TimeFunction {
                 1.0 => [*high; 2],
                 _ => around(&[*low, *high]),
             },
+            Self::Exponential { start, end, .. } => around(&[*start, *end]),
             Self::Sum(terms) => terms.iter().fold([0.0; 2], |[low, high], term| {
                 let [least, largest] = term.bounds();
                 [low + least, high + largest]
@@ -191,6 +209,9 @@ impl fmt::Debug for TimeFunction {
                 period,
                 duty,
             } => write!(f, "{high} for {duty} of every {period}, else {low}"),
+            Self::Exponential { start, end, time } => {
+                write!(f, "{end} + ({start} − {end})·exp(−t/{time})")
+            }
             Self::Sum(terms) => f.debug_tuple("Sum").field(terms).finish(),
             Self::Product(factors) => f.debug_tuple("Product").field(factors).finish(),
             Self::Own(_) => f.write_str("Own(…)"),
@@ -254,6 +275,24 @@ mod tests {
         let times = [0.0, 0.99, 1.0, 3.99, 4.0, 5.0, -0.5];
         let expected = [2.0, 2.0, -1.0, -1.0, 2.0, -1.0, -1.0];
         assert_eq!(values(&square, &times), expected);
+    }
+
+    #[test]
+    fn exponentials_go_from_their_start_to_their_end() {
+        let falling = TimeFunction::Exponential {
+            start: 5.0,
+            end: 1.0,
+            time: 2.0,
+        };
+        for time in [0.0, 0.3, 2.0, 11.0] {
+            let expected = 1.0 + 4.0 * (-0.5 * time as f64).exp();
+            assert!(
+                (falling.value(time) - expected).abs() < 1e-15 * 8.0,
+                "{time}"
+            );
+        }
+        assert_eq!(falling.value(1e9), 1.0);
+        assert_eq!(falling.bounds(), [1.0, 5.0]);
     }
 
     #[test]

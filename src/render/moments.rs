@@ -18,7 +18,7 @@ const POINTS: usize = 400;
 pub fn open(path: &Path) -> Result<(AnyWorld, TraceReader), RenderError> {
     let reader = TraceReader::open(path)?;
     let header = reader.header();
-    let world = AnyWorld::new(header.name.clone(), header.world.clone());
+    let world = AnyWorld::of_points(header.name.clone(), header.world.clone());
     Ok((world.map_err(RenderError::World)?, reader))
 }
 

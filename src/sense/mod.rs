@@ -3,6 +3,7 @@
 mod cells;
 mod field_of_view;
 mod history;
+mod hold;
 mod noise;
 mod obstacles;
 mod perception;
@@ -14,6 +15,7 @@ mod vicinity;
 pub use cells::Cells;
 pub use field_of_view::{Cone, in_view};
 pub use history::{History, Moment};
+pub use hold::Hold;
 pub use noise::LinkDraws;
 pub use obstacles::{Active, Surroundings};
 pub use perception::Perception;

@@ -105,14 +105,25 @@ impl<const D: usize> Perception<D> {
         for_each(scene.agents.len(), lists, perceive);
     }
 
-    /// The neighbours that agent `i` of the scene perceives at most `range` away.
-    pub(super) fn of(&self, i: usize, range: f64) -> impl Iterator<Item = &Neighbour<D>> {
+    /// The neighbours that agent `i` of the scene perceives at most `range` away, or to the
+    /// degree that is `held` of them there.
+    pub(super) fn of(
+        &self,
+        i: usize,
+        range: f64,
+        held: impl Fn(usize) -> Option<f64>,
+    ) -> impl Iterator<Item = Neighbour<D>> {
         let (list, at) = (&self.lists[i / CHUNK], i % CHUNK);
         let begin = if at == 0 { 0 } else { list.ends[at - 1] };
         list.seen[begin..list.ends[at]]
             .iter()
-            .filter(move |seen| seen.true_squared <= range * range)
-            .map(|seen| &seen.neighbour)
+            .filter_map(move |seen| {
+                let near = f64::from(u8::from(seen.true_squared <= range * range));
+                let share = held(seen.neighbour.index).unwrap_or(near);
+                let mut neighbour = seen.neighbour;
+                neighbour.weight *= share;
+                (share > 0.0).then_some(neighbour)
+            })
     }
 }
 
@@ -143,50 +154,62 @@ impl<const D: usize> List<D> {
                 (place != i).then(|| senses.bodies[agent(place)])
             });
         }
+        // What is held at the range itself is left to those who ask.
+        let own = reach < range;
+        let mut perceive = |place: usize, offset: Vector<D>, squared: f64, share: f64| {
+            let index = view.place(place);
+            if index == i {
+                return;
+            }
+            let seen_at = |angle| in_view(heading, &offset, angle);
+            if !sense.field_of_view.is_none_or(seen_at) {
+                return;
+            }
+            let weight = match &sense.cone {
+                None => Some(1.0),
+                Some(cone) => cone.weight(heading, &view.headings[place]),
+            };
+            let Some(weight) = weight else {
+                return;
+            };
+            let draws = LinkDraws::new(senses.seed, step, agent(i), agent(index));
+            if sense.dropout > 0.0 && draws.is_lost(sense.dropout) {
+                return;
+            }
+            let meets = |other: usize, at: &Vector<D>, radius: f64| {
+                let body = view.place(other);
+                let solid = &senses.solids[scene.groups[body] as usize];
+                let rotation = || view.rotations[agent(body)];
+                body_blocks(solid, radius, rotation, from, at, &offset)
+            };
+            if sight.is_blocked(scene.obstacles, from, place, &offset, meets) {
+                return;
+            }
+            let mut neighbour = Neighbour {
+                index,
+                offset,
+                squared,
+                velocity: view.velocities[place],
+                heading: view.headings[place],
+                weight: if own { weight * share } else { weight },
+            };
+            neighbour.corrupt(sense, draws);
+            seen.push(Seen {
+                neighbour,
+                true_squared: squared,
+            });
+        };
         view.cells
             .for_each_within(from, reach, |place, offset, squared| {
-                let index = view.place(place);
-                if index == i {
-                    return;
+                if scene.held(i, view.place(place), reach).is_none() {
+                    perceive(place, offset, squared, 1.0);
                 }
-                let seen_at = |angle| in_view(heading, &offset, angle);
-                if !sense.field_of_view.is_none_or(seen_at) {
-                    return;
-                }
-                let weight = match &sense.cone {
-                    None => Some(1.0),
-                    Some(cone) => cone.weight(heading, &view.headings[place]),
-                };
-                let Some(weight) = weight else {
-                    return;
-                };
-                let draws = LinkDraws::new(senses.seed, step, agent(i), agent(index));
-                if sense.dropout > 0.0 && draws.is_lost(sense.dropout) {
-                    return;
-                }
-                let meets = |other: usize, at: &Vector<D>, radius: f64| {
-                    let body = view.place(other);
-                    let solid = &senses.solids[scene.groups[body] as usize];
-                    let rotation = || view.rotations[agent(body)];
-                    body_blocks(solid, radius, rotation, from, at, &offset)
-                };
-                if sight.is_blocked(scene.obstacles, from, place, &offset, meets) {
-                    return;
-                }
-                let mut neighbour = Neighbour {
-                    index,
-                    offset,
-                    squared,
-                    velocity: view.velocities[place],
-                    heading: view.headings[place],
-                    weight,
-                };
-                neighbour.corrupt(sense, draws);
-                seen.push(Seen {
-                    neighbour,
-                    true_squared: squared,
-                });
             });
+        // Where agents are held nobody sees late: places are those of the scene.
+        for (place, share) in scene.held_near(i, reach) {
+            let offset = scene.positions[place] - from;
+            perceive(place, offset, offset.norm_squared(), share);
+        }
     }
 }
 

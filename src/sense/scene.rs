@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use crate::math::{Matrix, Vector};
 use crate::sense::cells::HITS;
+use crate::sense::hold::{Hold, held, held_near};
 use crate::sense::{Active, Cells, Perception, Surroundings, Vicinity};
 use crate::shape::Obstacle;
 
@@ -45,6 +46,8 @@ pub struct Scene<'a, const D: usize> {
     pub perception: Option<&'a Perception<D>>,
     /// For each group, whether its agents count as neighbours; absent where all do.
     pub visible: Option<&'a [bool]>,
+    /// Pairs whose distance does not tell whether they are near; none but for points.
+    pub(crate) holds: &'a [Hold],
     /// How to find who is near.
     pub(crate) search: Search<'a, D>,
 }
@@ -133,7 +136,7 @@ impl<const D: usize> Scene<'_, D> {
     /// distance. An infinite range is that of all pairs.
     #[inline]
     pub fn neighbours(&self, i: usize, range: f64, mut visit: impl FnMut(Neighbour<D>)) {
-        if self.perception.is_some() || self.visible.is_some() {
+        if self.perception.is_some() || self.visible.is_some() || !self.holds.is_empty() {
             return self.perceived(i, range, &mut visit);
         }
         self.within(i, range, |index, offset, squared| {
@@ -183,20 +186,69 @@ impl<const D: usize> Scene<'_, D> {
         }
     }
 
-    /// The neighbours of agents with senses of their own, or of laws with a scope. Apart,
-    /// so that the plain search stays small enough to be built into the laws.
+    /// The neighbours of agents with senses of their own, or of laws with a scope, or where
+    /// pairs are held. Apart, so that the plain search stays small enough to be built into the
+    /// laws.
     #[inline(never)]
     fn perceived(&self, i: usize, range: f64, visit: &mut dyn FnMut(Neighbour<D>)) {
         match self.perception {
             Some(perception) => perception
-                .of(i, range)
+                .of(i, range, |index| self.held(i, index, range))
                 .filter(|neighbour| self.sees(neighbour.index))
-                .for_each(|neighbour| visit(*neighbour)),
-            None => self.within(i, range, |index, offset, squared| {
+                .for_each(visit),
+            None => self.within_or_held(i, range, |index, offset, squared, share| {
                 if self.sees(index) {
-                    visit(self.neighbour(index, offset, squared));
+                    let neighbour = self.neighbour(index, offset, squared);
+                    visit(Neighbour {
+                        weight: share,
+                        ..neighbour
+                    });
                 }
             }),
+        }
+    }
+
+    /// What is held of agents `i` and `index` of the scene at a distance, if anything is.
+    pub(super) fn held(&self, i: usize, index: usize, distance: f64) -> Option<f64> {
+        match self.holds {
+            [] => None,
+            holds => held(holds, [self.agents[i], self.agents[index]], distance),
+        }
+    }
+
+    /// The agents that are held near agent `i` of the scene at a distance, each with its share.
+    pub(super) fn held_near(&self, i: usize, distance: f64) -> impl Iterator<Item = (usize, f64)> {
+        let near = held_near(self.holds, self.agents[i], distance);
+        near.map(|(other, share)| (self.places[other as usize] as usize, share))
+    }
+
+    /// As [`Scene::within`], with the share that each counts for: those that are held near as
+    /// well, and not those that are held far.
+    fn within_or_held(
+        &self,
+        i: usize,
+        range: f64,
+        mut visit: impl FnMut(usize, Vector<D>, f64, f64),
+    ) {
+        let me = self.agents[i];
+        let concerned = |hold: &Hold| hold.distance == range && hold.other(me).is_some();
+        if !self.holds.iter().any(concerned) {
+            return self.within(i, range, |index, offset, squared| {
+                visit(index, offset, squared, 1.0);
+            });
+        }
+        let mut found: Vec<(u32, usize, f64)> = Vec::new();
+        self.within(i, range, |index, _, _| {
+            if self.held(i, index, range).is_none() {
+                found.push((self.agents[index], index, 1.0));
+            }
+        });
+        let held = self.held_near(i, range);
+        found.extend(held.map(|(index, share)| (self.agents[index], index, share)));
+        found.sort_unstable_by_key(|(agent, ..)| *agent);
+        for (_, index, share) in found {
+            let offset = self.positions[index] - self.positions[i];
+            visit(index, offset, offset.norm_squared(), share);
         }
     }
 

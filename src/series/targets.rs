@@ -9,7 +9,7 @@ use crate::world::{AnyWorld, World};
 
 /// The world that ran; nothing where this program cannot make it from the header.
 pub(super) fn world_of(header: &Header) -> Option<AnyWorld> {
-    AnyWorld::new(&header.name, header.world.clone()).ok()
+    AnyWorld::of_points(&header.name, header.world.clone()).ok()
 }
 
 /// A target at a time.

@@ -29,6 +29,7 @@ pub struct Document {
     text: String,
     overrides: Vec<Override>,
     watch: Watch,
+    motion: check::Motion,
 }
 
 impl Document {
@@ -39,6 +40,7 @@ impl Document {
             text: text.into(),
             overrides: Vec::new(),
             watch: Watch::default(),
+            motion: check::Motion::OfBodies,
         }
     }
 
@@ -52,6 +54,12 @@ impl Document {
     pub fn watched(mut self, watch: Watch) -> Self {
         self.watch = watch;
         self
+    }
+
+    /// The same document, of a world whose agents move in this way: points need no steps that
+    /// are short enough for bodies.
+    pub fn moved(self, motion: check::Motion) -> Self {
+        Self { motion, ..self }
     }
 
     /// What the messages call it.
@@ -93,7 +101,7 @@ impl Document {
         }
         let spec: WorldSpec = serde_json::from_value(world)
             .map_err(|error| self.report(vec![Problem::new("", error.to_string())]))?;
-        self.clear(check::joint_problems(&spec))?;
+        self.clear(check::joint_problems(&spec, self.motion))?;
         Ok(spec)
     }
 

@@ -3,7 +3,7 @@
 use crate::math::Vector;
 use crate::shape::{Geometry, In, Obstacle, Solid};
 use crate::world::agents::{self, Agents, solids};
-use crate::world::check;
+use crate::world::check::{self, Motion};
 use crate::world::crowded_start::too_many;
 use crate::world::limits::MOST_PROBLEMS;
 use crate::world::obstacles;
@@ -52,7 +52,16 @@ impl AnyWorld {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn new(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
-        sound(&spec)?;
+        sound(&spec, Motion::OfBodies)?;
+        Self::resolve(name.into(), spec, &Watch::default())
+    }
+
+    /// As [`AnyWorld::new`], of a world whose agents are points, or that has run already.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn of_points(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        sound(&spec, Motion::OfPoints)?;
         Self::resolve(name.into(), spec, &Watch::default())
     }
 
@@ -79,11 +88,28 @@ where
     /// # Errors
     /// Everything that is wrong with it, another dimension included.
     pub fn new(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        Self::moved(name, spec, Motion::OfBodies)
+    }
+
+    /// As [`World::new`], of a world whose agents are points, or that has run already: their
+    /// solver chooses its own steps, so that none is too long for what the laws feed back.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, another dimension included.
+    pub fn of_points(name: impl Into<String>, spec: WorldSpec) -> Result<Self, Vec<Problem>> {
+        Self::moved(name, spec, Motion::OfPoints)
+    }
+
+    fn moved(
+        name: impl Into<String>,
+        spec: WorldSpec,
+        motion: Motion,
+    ) -> Result<Self, Vec<Problem>> {
         if spec.dimension != D {
             let problem = Problem::new("dimension", format!("is not {D}, as asked for"));
             return Err(vec![problem]);
         }
-        sound(&spec)?;
+        sound(&spec, motion)?;
         Self::resolve(name.into(), spec, &Watch::default())
     }
 
@@ -227,8 +253,8 @@ fn steered_velocity<const D: usize>(law: &LawSpec) -> Option<Vector<D>> {
 }
 
 /// What a check of a world finds, as a result.
-fn sound(spec: &WorldSpec) -> Result<(), Vec<Problem>> {
-    let problems = check::problems(spec);
+fn sound(spec: &WorldSpec, motion: Motion) -> Result<(), Vec<Problem>> {
+    let problems = check::all_problems(spec, motion);
     if problems.is_empty() {
         Ok(())
     } else {

@@ -216,6 +216,19 @@ fn two_seeds_end_in_two_minima_and_only_one_of_them_is_the_lowest() {
     assert!((end(&worse) - 64.38096).abs() < 1e-4, "{}", end(&worse));
     assert!((end(&better) - 64.35602).abs() < 1e-4, "{}", end(&better));
 
+    // Started from the worse one, nothing leads away from it: the lower one is found all the same.
+    let places: Vec<&[f64]> = (run.last().positions.iter())
+        .map(|place| place.as_slice())
+        .collect();
+    let set = [
+        format!("agents[0].positions={{\"explicit\":{places:?}}}"),
+        format!("agents[0].velocities={{\"explicit\":{:?}}}", [[0.0; 2]; 10]),
+    ];
+    let set: Vec<&str> = set.iter().map(String::as_str).collect();
+    let set = [&["time.end=60", "record.every=1"], &set[..]].concat();
+    let there = plane("shi-wang-chu/two-minima", &set);
+    violated("shi-wang-chu/global-minimum-printed", &points(&there));
+
     // Three agents can all have the distance that they like best.
     let three = [
         "agents[0].count=3",

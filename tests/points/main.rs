@@ -3,10 +3,12 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod dense;
 mod gaps;
 mod jumps;
 mod nets;
 mod papers;
 mod reference;
 mod runs;
+mod sliding;
 mod stiff;

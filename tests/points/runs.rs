@@ -206,6 +206,30 @@ fn what_points_do_not_have_is_refused() {
     }
 }
 
+/// Bodies would need shorter steps for this friction; points choose their own.
+#[test]
+fn what_is_too_stiff_for_bodies_is_not_for_points() {
+    let spec = spec(json!({
+        "dimension": 2,
+        "time": { "step": 0.5, "end": 1 },
+        "record": { "every": 1 },
+        "agents": [{
+            "radius": 1e-3, "positions": { "explicit": [[0, 0]] },
+            "velocities": { "explicit": [[1, 0]] }
+        }],
+        "laws": [{ "friction": { "coefficient": 20, "exponent": 0 } }]
+    }));
+    let problems = volary::world::World::<2>::new("stiff", spec.clone()).expect_err("stiff");
+    assert_eq!(problems[0].path, "laws[0].friction.coefficient");
+    let world = volary::world::World::<2>::of_points("stiff", spec).expect("a world of points");
+    let mut simulation =
+        Simulation::with_dynamics(world, Vec::new(), Dynamics::Points(Accuracy::default()))
+            .expect("a start");
+    simulation.step().expect("a finite state");
+    let left = simulation.snapshot().velocities[0][0];
+    assert!((left - (-10f64).exp()).abs() < 1e-9, "{left}");
+}
+
 /// Two agents fall into each other's singularity.
 #[test]
 fn what_has_no_end_gets_stuck_in_time() {

@@ -4,9 +4,14 @@ use super::damping::Damping;
 use super::descent::{BUDGET, descend, total};
 use super::model::{Model, gradient};
 use crate::claim::{About, Claim, Finding, Judging, Reading, Run, vanishes};
+use crate::math::{Vector, mean};
+use crate::sense::LinkDraws;
 
-/// From how many configurations the claim goes down to look for minima.
-const STARTS: usize = 12;
+/// From how many stretched configurations the claim goes down to look for minima, from how many
+/// of the end with one agent thrown over to the other side, and from how many scattered ones.
+const STRETCHED: usize = 12;
+const THROWN: usize = 12;
+const SCATTERED: usize = 24;
 
 /// The largest factor by which they are stretched.
 const STRETCH: f64 = 3.0;
@@ -21,8 +26,9 @@ const PRINTED: About = About {
     statement: "The final configuration globally minimises the potentials of all agents.",
     hypotheses: HYPOTHESES,
     measured: "The potential V_end of the minimum below the last state, once forces are seen to \
-               tend to 0, and that of minima found by going down from a dozen other places: the start, its \
-               first axis stretched by factors from 1/3 to 3. \
+               tend to 0, and that of minima found by going down from other places: the start, its \
+               first axis stretched by a dozen factors from 1/3 to 3; the end, with one of up to a \
+               dozen agents thrown over to the other side; two dozen random ones as wide as the end. \
                It is global where each pair has its own least potential, which few agents can \
                have; violated where a lower one was found; undecided otherwise.",
     tolerance: "A thousandth of V_end less the sum of the pairs' least potentials; descents are \
@@ -103,17 +109,14 @@ impl<const D: usize> Claim<D> for GlobalMinimum {
         if !settled {
             return Some(judging.finding());
         }
-        // Shapes that differ are what leads to minima that differ.
-        let starts = (0..STARTS).map(|k| {
-            let exponent = 2.0 * k as f64 / (STARTS - 1) as f64 - 1.0;
-            let factor = libm::pow(STRETCH, exponent);
-            let mut positions = run.start().positions.clone();
-            positions.iter_mut().for_each(|x| x[0] *= factor);
-            positions
-        });
-        let best = starts.map(|positions| descend(potential, &positions));
-        let best = best.fold(end, f64::min);
         let tolerance = 1e-3 * excess;
+        let mut best = end;
+        for positions in starts(&run.start().positions, &run.last().positions) {
+            best = best.min(descend(potential, &positions));
+            if best < end - tolerance {
+                break;
+            }
+        }
         // Rounding of as many potentials.
         let rounding = 1e-9 * model.pairs() * (1.0 + least.abs());
         if excess <= rounding {
@@ -122,10 +125,40 @@ impl<const D: usize> Claim<D> for GlobalMinimum {
             judging.equal("the lowest V found", best, end, tolerance, excess);
         } else {
             judging.undecided(format!(
-                "no lower minimum was found from {STARTS} configurations, with {BUDGET} \
-                 potentials of pairs each; that is no proof that there is none"
+                "no lower minimum was found from {} configurations, with {BUDGET} potentials of \
+                 pairs each; that is no proof that there is none",
+                STRETCHED + THROWN.min(run.last().positions.len()) + SCATTERED
             ));
         }
         Some(judging.finding())
     }
+}
+
+/// Where to look for lower minima. What started near a minimum ends there however it is
+/// stretched: so others are far from the start, and the same in every run of a flock as wide.
+fn starts<'a, const D: usize>(
+    start: &'a [Vector<D>],
+    end: &'a [Vector<D>],
+) -> impl Iterator<Item = Vec<Vector<D>>> + 'a {
+    // Shapes that differ are what leads to minima that differ.
+    let stretched = (0..STRETCHED).map(|k| {
+        let exponent = 2.0 * k as f64 / (STRETCHED - 1) as f64 - 1.0;
+        let factor = libm::pow(STRETCH, exponent);
+        let mut positions = start.to_vec();
+        positions.iter_mut().for_each(|x| x[0] *= factor);
+        positions
+    });
+    let center = mean(end);
+    let thrown = (0..THROWN.min(end.len())).map(move |agent| {
+        let mut positions = end.to_vec();
+        positions[agent] = center * 2.0 - positions[agent];
+        positions
+    });
+    let squares: f64 = end.iter().map(|x| (x - center).norm_squared()).sum();
+    let width = (squares / (D * end.len()).max(1) as f64).sqrt();
+    let scattered = (0..SCATTERED).map(move |k| {
+        let draw = |agent| LinkDraws::new(0, k as u64, agent, agent).offset_error(width);
+        (0..end.len()).map(|agent| center + draw(agent)).collect()
+    });
+    stretched.chain(thrown).chain(scattered)
 }

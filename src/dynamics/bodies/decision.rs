@@ -14,7 +14,17 @@ impl<const D: usize> Bodies<D> {
     /// Asks the laws what they want now.
     pub(super) fn ask(&mut self, flock: &mut Flock<D>) {
         let mut wanted = std::mem::take(&mut self.wanted);
-        flock.forces(&self.state(), &mut wanted);
+        let soft = flock.pulls_softly();
+        let before: Option<Vec<_>> = (soft && !self.late.is_empty()).then(|| {
+            let pairs = self.velocities.iter().zip(&self.late);
+            pairs.map(|(velocity, late)| velocity - late).collect()
+        });
+        flock.forces(&self.state(), before.as_deref(), &mut wanted);
+        if self.step == 0 && soft {
+            // Nothing was applied before the start.
+            self.earlier = vec![None; self.masses.len()];
+            self.late = vec![Vector::zeros(); self.masses.len()];
+        }
         self.wanted = wanted;
         if self.step == 0 {
             self.wanted_before.clone_from(&self.wanted);
@@ -103,6 +113,7 @@ impl<const D: usize> Bodies<D> {
             }
         }
         self.verdicts = verdicts;
+        self.refine();
         match broken {
             None => Ok(()),
             Some((agent, wanted)) => Err(Failure::Acceleration {
@@ -110,6 +121,26 @@ impl<const D: usize> Bodies<D> {
                 time: self.time(),
                 value: format!("{:?}", wanted.as_slice()),
             }),
+        }
+    }
+
+    /// Where laws pull softly, finds velocities at the end of the step to third order: what is
+    /// applied over the half substep until then differs from what is applied in the step by its
+    /// change since the step before. Not where a contact came between.
+    fn refine(&mut self) {
+        let lag = self.lag();
+        let share = 0.5 * lag * (1.0 + lag / self.step_size);
+        for (i, late) in self.late.iter_mut().enumerate() {
+            let applied = self.applied[i];
+            let change = self.earlier[i].replace(applied).map(|it| applied - it);
+            *late = change.unwrap_or_else(Vector::zeros) * share;
+            let ahead = self.ahead[i] + *late;
+            let end = self.engine_velocities[i] + applied * self.step_size + ahead;
+            if self.actuators.allow(i, end.norm()) {
+                self.ahead[i] = ahead;
+            } else {
+                *late = Vector::zeros();
+            }
         }
     }
 

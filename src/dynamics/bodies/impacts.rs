@@ -96,19 +96,27 @@ impl<const D: usize> Bodies<D> {
             obstacles: &self.obstacles,
             stood: &self.stood,
         };
+        let lag = self.lag();
         let changes = self.contacts.sweep(flight, &mut self.touches);
         sort(&mut self.touches);
         self.read_velocities();
+        for agent in 0..self.pressed.len() {
+            if self.pressed[agent] {
+                self.forget(agent);
+            }
+        }
         for change in &changes {
             let agent = change.agent;
             self.physics.place(change);
             self.next.0[agent] = change.position;
             self.engine_velocities[agent] = change.velocity;
-            let ahead = match self.pressed[agent] {
-                true => Vector::zeros(),
-                false => self.ahead[agent],
+            let ahead = match (self.pressed[agent], straight) {
+                (true, _) => Vector::zeros(),
+                (false, true) => self.ahead[agent],
+                (false, false) => self.applied[agent] * lag,
             };
             self.next.1[agent] = change.velocity + ahead;
+            self.forget(agent);
             if let Some(attitudes) = &mut self.attitudes {
                 attitudes.stances.rotations[agent] = change.rotation;
                 attitudes.stances.spins[agent] = change.spin;
@@ -124,6 +132,14 @@ impl<const D: usize> Bodies<D> {
         self.contacts.note(&self.touches);
         self.contacts.closest(ways, &self.obstacles, &poses, end);
         self.contacts.travel(ways);
+    }
+
+    /// What was applied before a contact tells nothing of what comes after it.
+    fn forget(&mut self, agent: usize) {
+        if !self.late.is_empty() {
+            self.late[agent] = Vector::zeros();
+            self.earlier[agent] = None;
+        }
     }
 
     /// Reads the velocities at the end of the step. Those of bodies that were pressed are what

@@ -24,6 +24,8 @@ pub struct BodiesState<const D: usize> {
     forces: Vec<Vector<D>>,
     applied: Vec<Vector<D>>,
     ahead: Vec<Vector<D>>,
+    late: Vec<Vector<D>>,
+    earlier: Vec<Option<Vector<D>>>,
     cuts: Cuts,
     contacts: ContactsState,
 }
@@ -49,7 +51,8 @@ impl<const D: usize> Bodies<D> {
             &state.applied,
             &state.ahead,
         ];
-        if lists.map(Vec::len) != [agents; 8] {
+        let soft = [state.late.len(), state.earlier.len()];
+        if lists.map(Vec::len) != [agents; 8] || ![[0; 2], [agents; 2]].contains(&soft) {
             return Err(Unusable("it has another number of agents".to_owned()));
         }
         let physics = <In<D> as Engine<D>>::restore(world, &state.engine)?;
@@ -63,6 +66,8 @@ impl<const D: usize> Bodies<D> {
             forces: state.forces,
             applied: state.applied,
             ahead: state.ahead,
+            late: state.late,
+            earlier: state.earlier,
             ..Self::around(physics, world)
         };
         bodies.actuators.resume(state.cuts);
@@ -99,6 +104,8 @@ impl<const D: usize> Bodies<D> {
             forces,
             applied,
             ahead,
+            late,
+            earlier,
             actuators,
             contacts,
             // Part of the world, and of the time.
@@ -133,6 +140,8 @@ impl<const D: usize> Bodies<D> {
             forces: forces.clone(),
             applied: applied.clone(),
             ahead: ahead.clone(),
+            late: late.clone(),
+            earlier: earlier.clone(),
             cuts: actuators.cuts(),
             contacts: contacts.capture(),
         })

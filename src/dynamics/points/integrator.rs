@@ -44,14 +44,13 @@ impl Integrator {
         together.extend(velocities.iter().flat_map(|_| middle.iter().copied()));
         let rate = [state, &together].map(|state| {
             let mut slope = vec![0.0; state.len()];
-            field.settle(state);
+            field.settle(0.0, state);
             field.slope(0.0, state, &mut slope);
             let stand = Stand {
                 time: 0.0,
                 state,
                 slope: &slope,
                 tolerance: 1.0,
-                through: false,
             };
             Radau::fastest_decay(&mut field, stand)
         });
@@ -102,6 +101,11 @@ impl Integrator {
         self.jumps += solution.jumps() as u64;
         state.copy_from_slice(solution.state());
         Ok(solution.into_method())
+    }
+
+    /// Counts jumps that were met between its steps.
+    pub(super) fn note_jumps(&mut self, jumps: usize) {
+        self.jumps += jumps as u64;
     }
 
     /// Whether it can go on with this many coordinates of positions.

@@ -33,6 +33,12 @@
 //! alike (no Motsch–Tadmor, no orientation, no senses; one constant gain; forces or equal
 //! masses) the sum of the forces is zero to rounding.
 //!
+//! On bodies, where rate × step may reach a quarter, it is followed exactly over each step, with the
+//! influences of its middle; below, it is held over the step, at velocities of third order: of second
+//! order in the step both ways, with errors of about the same size, so that they fall through the
+//! change. Of first order are the one step in which a flock of stiff alignment falls in line while
+//! other laws act, and a `range` within that of the kernel, where links come and go.
+//!
 //! Masking and sight go by where agents truly are, whatever the senses tell. An agent that
 //! no influence reaches is not accelerated.
 

@@ -15,7 +15,7 @@ mod table;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use super::{Attempt, Method, Stand, System};
+use super::{Method, Stand, System};
 use linear::{Factors, Jacobian};
 use table::{ERROR, MODES, NODES, STAGES};
 
@@ -76,7 +76,7 @@ impl Method for Radau {
         stand: Stand<'_>,
         step: f64,
         end: &mut Vec<f64>,
-    ) -> Attempt {
+    ) -> Option<f64> {
         let fresh = self.stale || self.jacobian.is_none();
         if fresh {
             self.jacobian = Some(Jacobian::new(system, stand));
@@ -85,7 +85,7 @@ impl Method for Radau {
             self.step = step;
         }
         let attempt = self.with_jacobian(system, stand, step, end);
-        if attempt == Attempt::Lost && !fresh {
+        if attempt.is_none() && !fresh {
             self.stale = true;
             return self.attempt(system, stand, step, end);
         }
@@ -100,10 +100,8 @@ impl Radau {
         stand: Stand<'_>,
         step: f64,
         end: &mut Vec<f64>,
-    ) -> Attempt {
-        let Some(jacobian) = &self.jacobian else {
-            return Attempt::Lost;
-        };
+    ) -> Option<f64> {
+        let jacobian = self.jacobian.as_ref()?;
         // Factors of nearly the same step do nearly as well.
         if (step / self.step - 1.0).abs() > 1e-3 {
             self.step = step;
@@ -111,28 +109,17 @@ impl Radau {
         }
         let factors = match self.factors.take() {
             Some(factors) => factors,
-            None => match Factors::new(jacobian, self.step) {
-                Some(factors) => factors,
-                None => return Attempt::Lost,
-            },
+            None => Factors::new(jacobian, self.step)?,
         };
         self.guess(stand, step);
         let found = self.iterate(system, stand, step, &factors, end);
-        let attempt = match found {
-            Ok(()) => {
-                end.clear();
-                end.extend(sum(stand.state, &self.ways[STAGES - 1]));
-                let margin = system.margin(end);
-                let error = self.error(system, stand, step, &factors, end);
-                match margin < 0.0 && !stand.through {
-                    true => Attempt::Crossed { share: 1.0, margin },
-                    false => Attempt::Done { error, margin },
-                }
-            }
-            Err(attempt) => attempt,
-        };
+        let error = found.then(|| {
+            end.clear();
+            end.extend(sum(stand.state, &self.ways[STAGES - 1]));
+            self.error(system, stand, step, &factors, end)
+        });
         self.factors = Some(factors);
-        attempt
+        error
     }
 
     /// A first guess of the z: accelerations as they are.
@@ -149,7 +136,7 @@ impl Radau {
         }));
     }
 
-    /// Newton's iteration for the z.
+    /// Newton's iteration for the z; whether it found them.
     fn iterate(
         &mut self,
         system: &mut impl System,
@@ -157,7 +144,7 @@ impl Radau {
         step: f64,
         factors: &Factors,
         scratch: &mut Vec<f64>,
-    ) -> Result<(), Attempt> {
+    ) -> bool {
         let size = stand.state.len();
         let mut slopes = DMatrix::zeros(size, STAGES);
         let mut before = f64::INFINITY;
@@ -165,11 +152,7 @@ impl Radau {
             for (stage, way) in self.ways.iter().enumerate() {
                 scratch.clear();
                 scratch.extend(sum(stand.state, way));
-                let (share, margin) = (NODES[stage], system.margin(scratch));
-                if margin < 0.0 && !stand.through {
-                    return Err(Attempt::Crossed { share, margin });
-                }
-                let time = stand.time + share * step;
+                let time = stand.time + NODES[stage] * step;
                 let out = &mut slopes.as_mut_slice()[stage * size..(stage + 1) * size];
                 system.slope(time, scratch, out);
             }
@@ -182,7 +165,7 @@ impl Radau {
                 largest = largest.max(share(system, stand, last.as_slice()));
             }
             if !largest.is_finite() {
-                return Err(Attempt::Lost);
+                return false;
             }
             let rate = largest / before;
             // What is left after this round, if all go on as these.
@@ -192,14 +175,14 @@ impl Radau {
             };
             if largest <= ENOUGH * 1e-3 || (round > 0 && left <= ENOUGH) {
                 self.stale = rate > SLOW && round > 1;
-                return Ok(());
+                return true;
             }
             if round > 1 && rate >= 1.0 {
-                return Err(Attempt::Lost);
+                return false;
             }
             before = largest;
         }
-        Err(Attempt::Lost)
+        false
     }
 
     /// The error of a step, as a share of the one allowed.
@@ -227,9 +210,6 @@ impl Radau {
         }
         // What is stiff is overestimated by far after a change; once more does away with that.
         let moved: Vec<f64> = sum(stand.state, &error).collect();
-        if system.margin(&moved) < 0.0 && !stand.through {
-            return first;
-        }
         let mut slope = vec![0.0; scratch.len()];
         system.slope(stand.time, &moved, &mut slope);
         f64::min(first, share(system, stand, filtered(&slope).as_slice()))

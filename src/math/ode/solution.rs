@@ -4,7 +4,7 @@ mod jumps;
 
 use std::fmt;
 
-use super::{Attempt, Method, Stand, System};
+use super::{Method, Stand, System};
 
 /// A solution of a system on its way.
 pub struct Solution<S, M> {
@@ -19,8 +19,12 @@ pub struct Solution<S, M> {
     /// Whether `slope` is that of the state.
     known: bool,
     jumps: usize,
-    stops: usize,
+    /// Scratch: the state and slope at the end of a step, and how the slope changes, where that
+    /// is known.
     end: Vec<f64>,
+    after: Vec<f64>,
+    bends: Vec<f64>,
+    bent: bool,
 }
 
 /// The integration cannot go on.
@@ -38,8 +42,8 @@ pub enum Stumble {
     /// No step, however short, is as exact as asked for, or there are numbers that are not
     /// finite.
     Error,
-    /// The slope jumps again and again.
-    Jumps,
+    /// Nothing: the system wants to stop.
+    Stopped,
 }
 
 impl fmt::Display for Stuck {
@@ -60,14 +64,16 @@ impl<S: System, M: Method> Solution<S, M> {
             time,
             slope: vec![0.0; state.len()],
             end: state.clone(),
+            after: vec![0.0; state.len()],
+            bends: Vec::new(),
+            bent: false,
             state,
             step: 0.0,
             tolerance,
             known: false,
             jumps: 0,
-            stops: 0,
         };
-        solution.system.settle(&solution.state);
+        solution.system.settle(time, &solution.state);
         solution.know();
         // A first step over which the straight line changes little; what follows adapts.
         let entries = solution.slope.iter().zip(&solution.state).enumerate();
@@ -136,33 +142,41 @@ impl<S: System, M: Method> Solution<S, M> {
     /// Takes one step, not beyond `end`.
     fn advance_until(&mut self, end: f64) -> Result<(), Stuck> {
         self.know();
+        if self.system.stopped() {
+            return Err(self.stuck(Stumble::Stopped));
+        }
+        let Some(mut aim) = self.aim(end - self.time) else {
+            return Ok(());
+        };
         loop {
             let left = end - self.time;
+            let free = self.step;
+            let wanted = free.min(aim.limit);
             // No crumb is left to the next step.
-            let last = self.step >= left * (1.0 - 1e-9);
-            let step = if last { left } else { self.step };
+            let last = wanted >= left * (1.0 - 1e-9);
+            let step = if last { left } else { wanted };
             let reached = if last { end } else { self.time + step };
-            let error = match self.attempt(step) {
-                Attempt::Done { error, .. } if error <= 1.0 => {
-                    self.accept(reached);
-                    self.step = step * factor::<M>(error);
-                    return Ok(());
-                }
-                Attempt::Done { error, .. } => error,
-                Attempt::Lost => f64::NAN,
-                Attempt::Crossed { share, margin } => {
-                    if self.go_through(step, reached) {
+            let error = self.attempt(step);
+            if self.system.stopped() {
+                return Err(self.stuck(Stumble::Stopped));
+            }
+            match error {
+                Some(error) if error <= 1.0 => {
+                    if self.meet(&mut aim, step, reached) {
+                        let next = step * factor::<M>(error);
+                        // A step that had to be short tells less of how long it may be.
+                        let short = step < 0.9 * free;
+                        self.step = if short { next.max(free) } else { next };
                         return Ok(());
                     }
-                    match self.stop_before([share * step, margin], step, end)? {
-                        None => return Ok(()),
-                        Some(error) => error,
+                }
+                _ => {
+                    let error = error.unwrap_or(f64::NAN);
+                    self.step = f64::min(self.step, step) * factor::<M>(error).min(0.9);
+                    if self.time + self.step <= self.time || !self.step.is_normal() {
+                        return Err(self.stuck(Stumble::Error));
                     }
                 }
-            };
-            self.step = f64::min(self.step, step) * factor::<M>(error).min(0.9);
-            if self.time + self.step <= self.time || !self.step.is_normal() {
-                return Err(self.stuck(Stumble::Error));
             }
         }
     }
@@ -175,17 +189,12 @@ impl<S: System, M: Method> Solution<S, M> {
         }
     }
 
-    fn attempt(&mut self, step: f64) -> Attempt {
-        self.attempt_as(step, false)
-    }
-
-    fn attempt_as(&mut self, step: f64, through: bool) -> Attempt {
+    fn attempt(&mut self, step: f64) -> Option<f64> {
         let stand = Stand {
             time: self.time,
             state: &self.state,
             slope: &self.slope,
             tolerance: self.tolerance,
-            through,
         };
         self.method
             .attempt(&mut self.system, stand, step, &mut self.end)
@@ -308,33 +317,49 @@ mod tests {
         }
     }
 
-    /// A ball that a force holds up below a height and another one draws down above it: in
-    /// the end it cannot leave that height.
+    /// A ball that bounces between heights 0 and 1, at which a constant force sets in.
     struct Hover {
         above: bool,
+        crossed: Vec<f64>,
     }
 
     impl System for Hover {
         fn slope(&mut self, _: f64, y: &[f64], out: &mut [f64]) {
             out[0] = y[1];
-            out[1] = if y[0] > 1.0 { -3.0 } else { 2.0 } - 4.0 * y[1];
+            out[1] = if self.above { -3.0 } else { 2.0 };
         }
 
-        fn margin(&mut self, y: &[f64]) -> f64 {
+        fn margin(&mut self, _: f64, y: &[f64]) -> f64 {
             if self.above { y[0] - 1.0 } else { 1.0 - y[0] }
         }
 
-        fn settle(&mut self, y: &[f64]) {
-            self.above = y[0] > 1.0;
+        fn hindsight(&mut self, y: &[f64], slope: &[f64]) -> Option<f64> {
+            // The straight line alone: the rest is up to the rounds.
+            Some((y[0] - 1.0) / slope[0])
+        }
+
+        fn cross(&mut self, time: f64, _: f64, _: &mut [f64]) -> usize {
+            self.above = !self.above;
+            self.crossed.push(time);
+            1
         }
     }
 
     #[test]
-    fn a_slope_that_jumps_without_end_ends_the_integration() {
-        let hover = Hover { above: false };
+    fn steps_end_where_the_slope_jumps() {
+        let hover = Hover {
+            above: false,
+            crossed: Vec::new(),
+        };
         let mut solution = Solution::new(hover, DormandPrince::default(), 0.0, vec![0.0; 2], 1e-9);
-        let stuck = solution.advance_to(1e3).expect_err("it hovers");
-        assert_eq!(stuck.over, Stumble::Jumps);
-        assert!(solution.jumps() > 10 && (solution.state()[0] - 1.0).abs() < 1e-3);
+        solution.advance_to(10.0).expect("finite numbers");
+        // Up to 1 in a second, at 2; then 4/3 of one above, and two below.
+        let (mut time, mut above) = (1.0, true);
+        for crossed in &solution.system.crossed {
+            assert!((crossed - time).abs() < 1e-9, "{crossed} {time}");
+            time += if above { 4.0 / 3.0 } else { 2.0 };
+            above = !above;
+        }
+        assert_eq!(solution.jumps(), 6);
     }
 }

@@ -1,6 +1,6 @@
 //! Checks of groups of agents.
 
-use super::{Check, size};
+use super::{Check, Motion, size};
 use crate::world::problem::Problem;
 use crate::world::spec::{BodyShapeSpec, GroupSpec, HeadingSpec, PerAgent, TorqueSpec};
 use crate::world::words::number;
@@ -95,6 +95,9 @@ impl Check {
     fn torque(&mut self, path: &str, torque: &TorqueSpec) {
         self.finite(&format!("{path}.damping"), torque.damping);
         self.finite(&format!("{path}.limit"), torque.limit);
+        if self.motion == Motion::OfPoints {
+            return;
+        }
         let (n, h, damping) = (self.substeps as f64, self.step, torque.damping());
         let least = (n - 1.0) / (2.0 * n) * h * torque.gain;
         let stiffness = 2.0 * h * damping + h * h * torque.gain / n;

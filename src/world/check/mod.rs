@@ -31,24 +31,39 @@ use super::words::number;
 /// Everything wrong with a world, wherever it comes from; of a
 /// [`Document`](super::document::Document) that has been read, nothing is.
 pub fn problems(world: &WorldSpec) -> Vec<Problem> {
+    all_problems(world, Motion::OfBodies)
+}
+
+/// What the agents of a world are moved as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Motion {
+    /// Rigid bodies, whose steps must be short enough for what the laws feed back.
+    #[default]
+    OfBodies,
+    /// Points, whose solver chooses its own steps.
+    OfPoints,
+}
+
+/// As [`problems`], of a world whose agents move as bodies or as points.
+pub fn all_problems(world: &WorldSpec, motion: Motion) -> Vec<Problem> {
     let problems = match serde_json::to_value(world) {
         // What is not finite turns into null here, and so is found.
         Ok(value) => validate::problems(&value),
         Err(error) => vec![Problem::new("", error.to_string())],
     };
     match problems.is_empty() {
-        true => joint_problems(world),
+        true => joint_problems(world, motion),
         false => problems,
     }
 }
 
 /// Everything wrong with a world that agrees with the schema.
-pub(super) fn joint_problems(world: &WorldSpec) -> Vec<Problem> {
-    let mut check = Check::new(
-        world.dimension,
-        world.time.step,
-        world.physics.solver_iterations,
-    );
+pub(super) fn joint_problems(world: &WorldSpec, motion: Motion) -> Vec<Problem> {
+    let substeps = world.physics.solver_iterations;
+    let mut check = Check {
+        motion,
+        ..Check::new(world.dimension, world.time.step, substeps)
+    };
     check.time(&world.time, &world.record);
     if let Some(gravity) = &world.physics.gravity {
         check.vector("physics.gravity", gravity);
@@ -111,6 +126,7 @@ struct Check {
     dimension: usize,
     step: f64,
     substeps: usize,
+    motion: Motion,
     /// Agents of the world, and of each group.
     agents: usize,
     sizes: Vec<usize>,
@@ -131,6 +147,7 @@ impl Check {
             dimension,
             step,
             substeps,
+            motion: Motion::OfBodies,
             agents: 0,
             sizes: Vec::new(),
             named: HashMap::new(),

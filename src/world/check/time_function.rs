@@ -52,7 +52,9 @@ impl Check {
                     self.add(format!("{path}.table.values"), what);
                 }
             }
-            VaryingSpec::Sine { .. } | VaryingSpec::Square { .. } => {}
+            VaryingSpec::Sine { .. }
+            | VaryingSpec::Square { .. }
+            | VaryingSpec::Exponential { .. } => {}
             VaryingSpec::Sum(parts) => self.parts(&format!("{path}.sum"), parts, depth),
             VaryingSpec::Product(parts) => self.parts(&format!("{path}.product"), parts, depth),
         }
@@ -146,6 +148,9 @@ mod tests {
             problems(json!({ "sum": [sine.clone(), 0.5] }), Some(0.0)),
             []
         );
+        let settling = |end: f64| json!({ "exponential": { "start": 1, "end": end, "time": 2 } });
+        assert_eq!(problems(settling(0.0), Some(0.0)), []);
+        assert_eq!(problems(settling(-0.5), Some(0.0)), one("f", falls));
         assert_eq!(
             problems(json!({ "product": [sine, 1] }), Some(0.0)),
             one("f", falls)

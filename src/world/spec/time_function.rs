@@ -61,6 +61,17 @@ pub enum VaryingSpec {
         #[schemars(range(min = 0, max = 1))]
         duty: f64,
     },
+    /// end + (start − end) e^(−t/time): what decays, or settles.
+    Exponential {
+        /// The value at time 0.
+        start: f64,
+        /// The value that it tends to.
+        #[serde(default)]
+        end: f64,
+        /// Time in which what is left to that falls to 1/e.
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        time: f64,
+    },
     /// The sum of some functions; these may be products, but go no deeper.
     Sum(#[schemars(length(min = 1))] Vec<TimeFunctionSpec>),
     /// The product of some functions; these may be sums, but go no deeper.
@@ -120,6 +131,9 @@ impl TimeFunctionSpec {
                     period,
                     duty,
                 },
+                &VaryingSpec::Exponential { start, end, time } => {
+                    TimeFunction::Exponential { start, end, time }
+                }
                 VaryingSpec::Sum(terms) => TimeFunction::Sum(all(terms)),
                 VaryingSpec::Product(factors) => TimeFunction::Product(all(factors)),
             },

@@ -1,107 +1,179 @@
 //! Steps that end where the slope jumps.
+//!
+//! The system holds its slope as it was before a jump, so that a step may go too far: it says how
+//! long ago the jump was crossed. Where that is little the state is taken back along its slope,
+//! else the step is tried anew, that much shorter. Every round ends the step or shortens it, so
+//! that the work is bounded, whatever the system says.
 
-use super::{Solution, Stuck, Stumble};
-use crate::math::ode::{Attempt, Method, System};
+use super::Solution;
+use crate::math::ode::{Method, System};
 
-/// How often steps may stop for jumps before the integration gives up. A slope that drives the
-/// state back to where it jumps, from both sides, jumps without end.
-const MOST_STOPS: usize = 100_000;
-
-/// The error of a step through a jump up to which that is let pass, as a share of the one
-/// allowed.
+/// The change of a step by a jump up to which the place of that does not matter, as a share of
+/// the error allowed.
 const HIDDEN: f64 = 0.01;
 
+/// What is second order in a way along the slope, as a share of the error allowed.
+const STRAIGHT: f64 = 0.01;
+
+/// Steps are not aimed at jumps that are nearer than this share of a step: it is quicker to go
+/// too far and come back.
+const NEAREST: f64 = 1e-6;
+
+/// How many rounds go by what the system says, before the step is halved.
+const MOST_ROUNDS: usize = 8;
+
+/// How long steps may become for the sake of jumps, and how often one was met in vain.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Aim {
+    pub limit: f64,
+    dipped: bool,
+    rounds: usize,
+}
+
 impl<S: System, M: Method> Solution<S, M> {
-    /// Takes a step through a jump that is too small to show in its error: where agents have
-    /// come to rest at the place of the jump, rounding takes them to and fro.
-    pub(super) fn go_through(&mut self, step: f64, reached: f64) -> bool {
-        let attempt = self.attempt_as(step, true);
-        match attempt {
-            Attempt::Done { error, margin } if error <= HIDDEN => {
+    /// What time is known to.
+    fn hair(&self) -> f64 {
+        8.0 * f64::EPSILON * self.time.abs().max(self.step)
+    }
+
+    /// Where the next step is to end for the sake of jumps; nothing if one has been crossed
+    /// instead, at next to no distance.
+    pub(super) fn aim(&mut self, left: f64) -> Option<Aim> {
+        let foreseen = self.system.foresee(&self.state, &self.slope);
+        if foreseen <= self.hair() {
+            self.cross();
+            return None;
+        }
+        if foreseen < left && self.bent && self.is_straight(foreseen) {
+            self.end.clone_from(&self.state);
+            self.go_along(foreseen);
+            std::mem::swap(&mut self.state, &mut self.end);
+            self.time += foreseen;
+            self.cross();
+            return None;
+        }
+        Some(Aim {
+            limit: foreseen.max(NEAREST * self.step),
+            dipped: false,
+            rounds: 0,
+        })
+    }
+
+    /// Ends a step at `end`, which is exact enough, unless it must be tried anew for the sake
+    /// of jumps: then `aim` says how far.
+    pub(super) fn meet(&mut self, aim: &mut Aim, step: f64, reached: f64) -> bool {
+        let margin = self.system.margin(reached, &self.end);
+        if margin.is_nan() {
+            aim.limit = 0.5 * step;
+            return false;
+        }
+        let mut after = std::mem::take(&mut self.after);
+        self.system.slope(reached, &self.end, &mut after);
+        self.after = after;
+        if margin >= 0.0 {
+            if !aim.dipped
+                && let Some(dip) =
+                    self.system
+                        .dip(step, [&self.state, &self.slope], [&self.end, &self.after])
+            {
+                aim.dipped = true;
+                aim.limit = dip;
+                return false;
+            }
+            self.bend(step);
+            self.accept(reached);
+            std::mem::swap(&mut self.slope, &mut self.after);
+            self.known = !self.system.arrive(reached, &self.state);
+            return true;
+        }
+        if step <= self.hair() {
+            self.accept(reached);
+            self.cross();
+            return true;
+        }
+        let ago = self.system.hindsight(&self.end, &self.after);
+        self.bend(step);
+        match ago {
+            Some(ago) if ago < 0.5 * step && self.is_straight(ago) => {
+                std::mem::swap(&mut self.slope, &mut self.after);
+                self.go_along(-ago);
+                self.accept(reached - ago);
+                self.cross();
+                return true;
+            }
+            None if margin > -1e-9 => {
                 self.accept(reached);
-                self.system.settle(&self.state);
-                self.jumps += usize::from(margin < 0.0);
-                self.step = step;
-                true
+                self.cross();
+                return true;
             }
-            _ => false,
+            _ => {}
         }
+        if aim.rounds == 0 && self.is_hidden(step, reached) {
+            self.accept(reached);
+            self.system.disregard();
+            self.cross();
+            return true;
+        }
+        aim.rounds += 1;
+        aim.limit = match ago {
+            Some(ago) if ago < step && aim.rounds < MOST_ROUNDS => step - ago,
+            None if aim.rounds < MOST_ROUNDS => {
+                let before = self.system.margin(self.time, &self.state).clamp(0.0, 1e300);
+                step * (before / (before - margin)).clamp(0.1, 0.9)
+            }
+            _ => 0.5 * step,
+        };
+        self.bent = false;
+        false
     }
 
-    /// Goes on to where the slope jumps within a step that crosses that place, or as near to
-    /// it as no stage crosses it; `beyond` are time and margin of what is known to lie
-    /// beyond. Where a step on the way is not exact enough, stays, and returns its error.
-    pub(super) fn stop_before(
-        &mut self,
-        beyond: [f64; 2],
-        step: f64,
-        end: f64,
-    ) -> Result<Option<f64>, Stuck> {
-        let hair = f64::EPSILON * self.time.abs().max(step);
-        let mut low = [0.0, self.system.margin(&self.state)];
-        let mut high = step;
-        let mut beyond = beyond;
-        for round in 0.. {
-            if high - low[0] <= 2.0 * hair {
-                break;
-            }
-            // Where the line through both margins crosses zero; in the middle now and then,
-            // so that the interval shrinks whatever the margins are like.
-            let crossing = low[0] + (beyond[0] - low[0]) * (low[1] / (low[1] - beyond[1]));
-            let inside = crossing > low[0] && crossing < high;
-            let tried = match inside && round % 3 != 2 {
-                true => crossing,
-                false => 0.5 * (low[0] + high),
-            };
-            match self.attempt(tried) {
-                Attempt::Done { error, margin } if error <= 1.0 => low = [tried, margin],
-                Attempt::Done { error, .. } => return Ok(Some(error)),
-                Attempt::Lost => return Ok(Some(f64::NAN)),
-                Attempt::Crossed { share, margin } => {
-                    high = tried;
-                    beyond = [share * tried, margin];
-                }
-            }
-            if low[0] > 0.0 && low[1] == 0.0 {
-                break;
-            }
-        }
-        let begin = self.time;
-        if low[0] > 0.0 && matches!(self.attempt(low[0]), Attempt::Done { .. }) {
-            self.accept(self.time + low[0]);
-            self.know();
-            self.step = step;
-        }
-        self.stops += 1;
-        if self.stops > MOST_STOPS {
-            return Err(self.stuck(Stumble::Jumps));
-        }
-        // The way over may be many hairs: rounding hides how far a state is that creeps up.
-        let moved = self.time > begin;
-        self.jump(262_144.0 * hair, end, moved);
-        Ok(None)
+    /// Goes over to the other side of the jump.
+    fn cross(&mut self) {
+        self.jumps += self.system.cross(self.time, self.step, &mut self.state);
+        self.known = false;
+        self.bent = false;
     }
 
-    /// Goes straight on over the place where the slope jumps, if that is at most `farthest`
-    /// away: so little that no slope of the near side is used any more. If it is not there,
-    /// stays, or goes on all the same.
-    fn jump(&mut self, farthest: f64, end: f64, may_stay: bool) {
-        let mut way = f64::EPSILON * self.time.abs().max(farthest);
-        loop {
-            let line = self.state.iter().zip(&self.slope);
-            self.end.clear();
-            self.end.extend(line.map(|(y, slope)| y + way * slope));
-            let crossed = self.system.margin(&self.end) < 0.0;
-            let last = 2.0 * way > farthest;
-            if crossed || (last && !may_stay) {
-                self.accept(f64::min(self.time + way, end));
-                self.system.settle(&self.state);
-                self.jumps += usize::from(crossed);
+    /// Whether the slope beyond the jump differs by so little that its place does not matter.
+    fn is_hidden(&mut self, step: f64, reached: f64) -> bool {
+        let mut beyond = vec![0.0; self.end.len()];
+        self.system.peek(reached, &self.end, &mut beyond);
+        let entries = beyond.iter().zip(&self.after).enumerate();
+        for (k, (beyond, before)) in entries {
+            let scale = self.system.scale(k, self.state[k], self.end[k]);
+            let share = step * (beyond - before).abs() / (scale * self.tolerance);
+            if !(share <= HIDDEN || *beyond == *before) {
+                return false;
             }
-            if crossed || last {
-                return;
-            }
-            way *= 2.0;
+        }
+        true
+    }
+
+    /// Notes how the slope changes over a step.
+    fn bend(&mut self, step: f64) {
+        self.bends.clear();
+        let slopes = self.slope.iter().zip(&self.after);
+        self.bends
+            .extend(slopes.map(|(before, after)| (after - before) / step));
+        self.bent = true;
+    }
+
+    /// Whether a way along the slope, and its change, is as exact as a step.
+    fn is_straight(&self, way: f64) -> bool {
+        let entries = self.bends.iter().enumerate();
+        entries
+            .map(|(k, bend)| (k, 0.5 * way * way * bend.abs()))
+            .all(|(k, bend)| {
+                let scale = self.system.scale(k, self.state[k], self.state[k]);
+                bend <= STRAIGHT * self.tolerance * scale
+            })
+    }
+
+    /// Moves `end` along the slope, which is the one there.
+    fn go_along(&mut self, way: f64) {
+        let rates = self.slope.iter().zip(&self.bends);
+        for (y, (slope, bend)) in self.end.iter_mut().zip(rates) {
+            *y += way * (slope + 0.5 * way * bend);
         }
     }
 }
