@@ -1,6 +1,8 @@
 //! Bodies touch, and the ledger tells the truth about it.
 
 mod common;
+#[path = "contacts/episodes.rs"]
+mod episodes;
 
 use common::{spec, world};
 use serde_json::{Value, json};

@@ -34,6 +34,10 @@ pub enum Mover<const D: usize> {
 
 /// What a mover must know between two steps, besides its world, to go on bit for bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a checkpoint has one, which gains nothing from a box"
+)]
 pub enum MoverState<const D: usize> {
     /// Of rigid bodies.
     Bodies(BodiesState<D>),
