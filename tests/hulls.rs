@@ -151,11 +151,12 @@ where
     }
 }
 
+/// Three points of a cloud, the shares of the ways between them, and how far off, a power of two,
+/// along which way.
+type More = ([usize; 3], [f64; 2], f64, [f64; 3]);
+
 /// A cloud, and more points nearly on lines between two of it, or in planes of three.
-fn cloud<const D: usize>(
-    cloud: &[[f64; 3]],
-    more: &[([usize; 3], [f64; 2], f64, [f64; 3])],
-) -> Vec<Vector<D>> {
+fn cloud<const D: usize>(cloud: &[[f64; 3]], more: &[More]) -> Vec<Vector<D>> {
     let mut points: Vec<Vector<D>> = cloud.iter().map(point).collect();
     for (of, share, offset, along) in more {
         let [a, b, c] = of.map(|k| points[k % cloud.len()]);
@@ -169,7 +170,7 @@ fn some() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-1.0..1.0f64)
 }
 
-fn more() -> impl Strategy<Value = Vec<([usize; 3], [f64; 2], f64, [f64; 3])>> {
+fn more() -> impl Strategy<Value = Vec<More>> {
     let share = prop_oneof![
         (0.0..1.0f64).prop_map(|s| [s, 0.0]),
         prop::array::uniform2(0.0..0.5f64),

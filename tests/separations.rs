@@ -428,7 +428,7 @@ where
         let parts = vec![part(&all[first], None), part(&all[4], Some(inner(scale)))];
         Obstacle::of_parts("O".into(), parts, Acting::Each, at(scale)).expect("an obstacle")
     };
-    for first in 0..all.len() {
+    for (first, shape) in all.iter().enumerate() {
         for k in 0..12 {
             let turned = 0.53 * f64::from(k);
             let along = point::<D>([turned.sin(), turned.cos(), 0.3]) * (0.3 * turned);
@@ -445,12 +445,7 @@ where
             };
             let one = solve(1.0);
             for power in -40..=30 {
-                assert_eq!(
-                    solve(2f64.powi(power)),
-                    one,
-                    "{:?} at 2^{power}",
-                    all[first]
-                );
+                assert_eq!(solve(2f64.powi(power)), one, "{shape:?} at 2^{power}");
             }
         }
     }

@@ -381,7 +381,7 @@ fn shared_sides_push_nobody() {
         boxes.about(&walls);
         for height in [-0.5, -0.01, -1e-4, -1e-6, -1e-9, 0.0] {
             let at = pose.point_to_world(&Vector::<2>::new(0.0, height));
-            for tilt in [0.0, 0.3, 1.0, 1.57, 1.5707, 1.570796, 1.5707963] {
+            for tilt in [0.0, 0.3, 1.0, 1.56, 1.5703, 1.570792, 1.5707962] {
                 let (sin, cos) = f64::sin_cos(tilt);
                 let normal = pose.vector_to_world(&Vector::<2>::new(cos, sin));
                 if height < 0.0 && tilt > 0.0 {
