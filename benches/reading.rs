@@ -93,10 +93,7 @@ fn read(text: &str) -> (bool, f64) {
 }
 
 fn main() {
-    println!(
-        "{:<24}{:>10}{:>10}  {}",
-        "kind", "seconds", "exponent", "of"
-    );
+    println!("{:<24}{:>10}{:>10}  of", "kind", "seconds", "exponent");
     for kind in [
         "agents, listed",
         "agents, drawn",

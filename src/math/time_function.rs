@@ -285,7 +285,7 @@ mod tests {
             time: 2.0,
         };
         for time in [0.0, 0.3, 2.0, 11.0] {
-            let expected = 1.0 + 4.0 * (-0.5 * time as f64).exp();
+            let expected = 1.0 + 4.0 * f64::exp(-0.5 * time);
             assert!(
                 (falling.value(time) - expected).abs() < 1e-15 * 8.0,
                 "{time}"

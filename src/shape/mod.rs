@@ -32,7 +32,6 @@ pub use pose::Pose;
 pub use projection::Projection;
 pub use separation::Separation;
 pub use solid::Solid;
-#[allow(unused_imports, reason = "for those who look at contacts")]
 pub(crate) use walls::is_exposed;
 
 use std::fmt::Debug;

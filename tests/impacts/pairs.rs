@@ -135,8 +135,8 @@ where
         } else {
             assert!(blows.is_empty(), "{what}: {blows:?}");
         }
-        for k in 0..2 {
-            let off = (ran.velocities[2 * lane + k] - velocities[k]).norm();
+        for (k, velocity) in velocities.iter().enumerate() {
+            let off = (ran.velocities[2 * lane + k] - velocity).norm();
             assert!(off < 1e-9 * scale, "{what}: velocity off by {off}");
         }
     }

@@ -332,7 +332,7 @@ impl<const D: usize> Contacts<D> {
         poses: &dyn Fn(usize) -> Pose<D>,
         time: f64,
     ) {
-        for agent in 0..self.roster.len() {
+        for (agent, place) in to.iter().enumerate() {
             let gone = self.walls.gone(agent);
             if gone <= self.clear[agent] {
                 continue;
@@ -340,7 +340,7 @@ impl<const D: usize> Contacts<D> {
             let least = self.state.gaps.obstacles.map_or(f64::INFINITY, |it| it.gap);
             // Somewhat farther than asked for, so that the answer serves for a while.
             let reach = 2.0 * least.max(0.0) + self.roster.outer[agent];
-            let ball = self.walls.nearest(agent, &to[agent], obstacles, reach);
+            let ball = self.walls.nearest(agent, place, obstacles, reach);
             self.clear[agent] = gone + ball.unwrap_or(reach) - least.min(f64::MAX);
             if ball.is_none_or(|gap| gap >= least) {
                 continue;
@@ -349,8 +349,7 @@ impl<const D: usize> Contacts<D> {
             let pose = poses(agent);
             let mut found = (least, usize::MAX);
             for (k, obstacle) in obstacles.iter().enumerate() {
-                if obstacle.may_reach(&to[agent], found.0.min(f64::MAX) + self.roster.outer[agent])
-                {
+                if obstacle.may_reach(place, found.0.min(f64::MAX) + self.roster.outer[agent]) {
                     let exact = obstacle.gap(solid, &pose);
                     if exact < found.0 {
                         found = (exact, k);

@@ -110,7 +110,7 @@ impl<const D: usize> Links<D> {
         if wanted <= self.skin {
             return true;
         }
-        if !(wanted <= THICKEST) {
+        if wanted > THICKEST || wanted.is_nan() {
             return false;
         }
         self.list(f64::min(2.0 * wanted, THICKEST));
