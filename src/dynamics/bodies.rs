@@ -34,7 +34,7 @@ use crate::dynamics::contact::Contacts;
 use crate::dynamics::failure::{Failure, LARGEST};
 use crate::dynamics::{Cuts, Drive, Engine, Gaps, Physics, Snapshot, Strain, Touch, turn};
 use crate::law::{Flock, Pulls, State};
-use crate::math::{Vector, axis};
+use crate::math::{Matrix, Vector, axis};
 
 use crate::profile::Stopwatch;
 use crate::shape::{In, Obstacle, Pose};
@@ -85,6 +85,8 @@ pub struct Bodies<const D: usize> {
     pressed: Vec<bool>,
     /// Where the obstacles stood at the start of the step.
     stood: Vec<Pose<D>>,
+    /// How the bodies stood then, where they turn.
+    stood_turned: Vec<Matrix<D>>,
     /// Scratch: what came of the decisions for each chunk of agents.
     verdicts: Vec<Verdict<D>>,
     /// The engine's own steps, and finding out what touched.
@@ -150,6 +152,7 @@ impl<const D: usize> Bodies<D> {
             contacts: Contacts::new(world),
             pressed: vec![false; agents.len()],
             stood: Vec::new(),
+            stood_turned: Vec::new(),
             verdicts: Vec::new(),
             watches: Default::default(),
         };
@@ -187,10 +190,12 @@ impl<const D: usize> Bodies<D> {
         let begin = self.watches[1].begin();
         let velocities = &mut self.engine_velocities;
         self.physics.read(&mut self.next.0, velocities);
-        self.find_touches();
-        self.bounce();
+        let taken = self.check_taken().and_then(|()| {
+            self.find_touches();
+            self.bounce()
+        });
         self.watches[1].end(begin);
-        if let Err(failure) = self.check_next() {
+        if let Err(failure) = taken {
             self.move_obstacles(self.step);
             return Err(failure);
         }
@@ -305,17 +310,26 @@ impl<const D: usize> Bodies<D> {
         }
     }
 
-    fn check_next(&self) -> Result<(), Failure> {
-        let (positions, velocities) = &self.next;
-        let small = |vector: &Vector<D>| vector.norm_squared() < LARGEST * LARGEST;
-        let sound = |i: &usize| small(&positions[*i]) && small(&velocities[*i]);
-        let broken = (0..positions.len()).find(|i| !sound(i));
+    /// Whether what the engine's step gave is sound.
+    fn check_taken(&self) -> Result<(), Failure> {
+        let sound = |i: &usize| small(&self.next.0[*i]) && small(&self.engine_velocities[*i]);
+        let broken = (0..self.masses.len()).find(|i| !sound(i));
         match broken.or_else(|| self.physics.lost().first().copied()) {
             None => Ok(()),
-            Some(agent) => Err(Failure::State {
-                agent,
-                time: (self.step + 1) as f64 * self.step_size,
-            }),
+            Some(agent) => Err(self.broken(agent)),
         }
     }
+
+    /// The step left no sound state of an agent.
+    fn broken(&self, agent: usize) -> Failure {
+        Failure::State {
+            agent,
+            time: (self.step + 1) as f64 * self.step_size,
+        }
+    }
+}
+
+/// Whether a vector is no larger than squares of it can tell; no is what no number is.
+fn small<const D: usize>(vector: &Vector<D>) -> bool {
+    vector.norm_squared() < LARGEST * LARGEST
 }

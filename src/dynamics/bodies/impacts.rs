@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::Bodies;
 use super::touch::{set_speeds, sort};
-use crate::dynamics::contact::{Flight, Start};
-use crate::dynamics::{Touch, Touched};
+use super::{Bodies, small};
+use crate::dynamics::contact::{Change, Contacts, Flight, Start};
+use crate::dynamics::{Failure, Touch, Touched};
 use crate::math::Vector;
 use crate::parallel::{CHUNK, for_each};
+use crate::shape::Pose;
 
 impl<const D: usize> Bodies<D> {
     /// Looks around where bodies stand.
@@ -36,7 +37,7 @@ impl<const D: usize> Bodies<D> {
         touches
     }
 
-    fn start(&mut self) -> (&mut crate::dynamics::contact::Contacts<D>, Start<'_, D>) {
+    fn start(&mut self) -> (&mut Contacts<D>, Start<'_, D>) {
         let start = Start {
             step: self.step_size,
             positions: &self.positions,
@@ -72,16 +73,15 @@ impl<const D: usize> Bodies<D> {
     }
 
     /// Follows the bounces of the step just taken, and reads the velocities at its end.
-    pub(super) fn bounce(&mut self) {
-        let before = self
-            .attitudes
-            .as_ref()
-            .map(|it| it.stances.rotations.clone());
+    pub(super) fn bounce(&mut self) -> Result<(), Failure> {
+        if let Some(attitudes) = &self.attitudes {
+            self.stood_turned.clone_from(&attitudes.stances.rotations);
+        }
         if let Some(attitudes) = &mut self.attitudes {
             attitudes.read(&*self.physics);
         }
         let stances = self.attitudes.as_ref().map(|it| &it.stances);
-        let turns = before.as_deref().zip(stances);
+        let before = &self.stood_turned[..];
         let straight = !self.pulls.is_empty();
         let flight = Flight {
             begin: self.time(),
@@ -92,17 +92,25 @@ impl<const D: usize> Bodies<D> {
             lag: self.lag(),
             accelerations: (!straight).then_some(&self.applied[..]),
             pressed: &self.pressed,
-            turns: turns.map(|(before, now)| (before, &now.rotations[..], &now.spins[..])),
+            turns: stances.map(|now| (before, &now.rotations[..], &now.spins[..])),
             obstacles: &self.obstacles,
             stood: &self.stood,
         };
         let lag = self.lag();
         let changes = self.contacts.sweep(flight, &mut self.touches);
+        let sound = |change: &&Change<D>| small(&change.position) && small(&change.velocity);
+        if let Some(change) = changes.iter().find(|change| !sound(change)) {
+            if let Some(attitudes) = &mut self.attitudes {
+                attitudes.stances.rotations.clone_from(&self.stood_turned);
+            }
+            return Err(self.broken(change.agent));
+        }
         sort(&mut self.touches);
         self.read_velocities();
-        for agent in 0..self.pressed.len() {
-            if self.pressed[agent] {
-                self.forget(agent);
+        if !self.late.is_empty() {
+            for agent in (0..self.pressed.len()).filter(|&agent| self.pressed[agent]) {
+                self.late[agent] = Vector::zeros();
+                self.earlier[agent] = None;
             }
         }
         for change in &changes {
@@ -116,7 +124,11 @@ impl<const D: usize> Bodies<D> {
                 (false, false) => self.applied[agent] * lag,
             };
             self.next.1[agent] = change.velocity + ahead;
-            self.forget(agent);
+            if !self.late.is_empty() {
+                // What was applied before tells nothing of what comes after.
+                self.late[agent] = Vector::zeros();
+                self.earlier[agent] = None;
+            }
             if let Some(attitudes) = &mut self.attitudes {
                 attitudes.stances.rotations[agent] = change.rotation;
                 attitudes.stances.spins[agent] = change.spin;
@@ -127,19 +139,12 @@ impl<const D: usize> Bodies<D> {
         let end = self.time() + self.step_size;
         let poses = |agent: usize| {
             let turned = rotations.map_or_else(nalgebra::SMatrix::identity, |all| all[agent]);
-            crate::shape::Pose::from_matrix(ways[1][agent], turned)
+            Pose::from_matrix(ways[1][agent], turned)
         };
         self.contacts.note(&self.touches);
         self.contacts.closest(ways, &self.obstacles, &poses, end);
         self.contacts.travel(ways);
-    }
-
-    /// What was applied before a contact tells nothing of what comes after it.
-    fn forget(&mut self, agent: usize) {
-        if !self.late.is_empty() {
-            self.late[agent] = Vector::zeros();
-            self.earlier[agent] = None;
-        }
+        Ok(())
     }
 
     /// Reads the velocities at the end of the step. Those of bodies that were pressed are what

@@ -124,6 +124,7 @@ impl<const D: usize> Bodies<D> {
             touches: _,
             pressed: _,
             stood: _,
+            stood_turned: _,
             // The past alone.
             verdicts: _,
             watches: _,

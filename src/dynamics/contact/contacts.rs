@@ -105,9 +105,8 @@ impl<const D: usize> Contacts<D> {
     /// Looks around where bodies stand at the start.
     pub(crate) fn begin(&mut self, start: Start<'_, D>, time: f64) {
         let here = [start.positions; 2];
-        let fixed = vec![0.0; start.obstacles.len()];
         self.agents.follow(here, &|_| 0.0, f64::INFINITY);
-        self.walls.follow(here, &|_| 0.0, start.obstacles, &fixed);
+        self.walls.follow(here, &|_| 0.0, start.obstacles, &|_| 0.0);
         self.closest(here, start.obstacles, &|agent| start.pose(agent), time);
     }
 
@@ -262,7 +261,7 @@ impl<const D: usize> Contacts<D> {
         let smallest = self.state.gaps.agents.map_or(f64::INFINITY, |it| it.gap);
         self.agents.follow(ways, &bend, smallest);
         self.walls
-            .follow(ways, &bend, flight.obstacles, &flight.moved());
+            .follow(ways, &bend, flight.obstacles, &|k| flight.moved(k));
         let near = (&mut self.agents, &mut self.walls);
         let swept = Sweep::new(&self.roster, flight, near, [&self.engine, &self.leaning]).run();
         self.state.strain.unordered += u64::from(swept.unordered);
@@ -281,7 +280,7 @@ impl<const D: usize> Contacts<D> {
     ) {
         self.closest_agents([from, to], poses, time);
         if !obstacles.is_empty() {
-            self.closest_walls(to, obstacles, poses, time);
+            self.closest_walls([from, to], obstacles, poses, time);
         }
     }
 
@@ -301,9 +300,15 @@ impl<const D: usize> Contacts<D> {
                 let (before, after) = (from[other] - from[one], to[other] - to[one]);
                 let mut found = nearest_on_way(&before, &after) - between;
                 if found < least && !(roster.is_ball(one) && roster.is_ball(other)) {
-                    let (one, other) = ((one, poses(one)), (other, poses(other)));
-                    let solids = [roster.solid(one.0), roster.solid(other.0)];
-                    found = solids[0].separation(&one.1, solids[1], &other.1).gap;
+                    let solids = [roster.solid(one), roster.solid(other)];
+                    let (here, there) = (poses(one), poses(other));
+                    let way = before - after;
+                    let stand = |share: f64| {
+                        let back = here.at(here.translation - way * (1.0 - share));
+                        solids[0].separation(&back, solids[1], &there)
+                    };
+                    let within = least_on_way(&way, &stand).unwrap_or(f64::INFINITY);
+                    found = stand(1.0).gap.min(within);
                 }
                 if found < least {
                     least = found;
@@ -327,7 +332,7 @@ impl<const D: usize> Contacts<D> {
 
     fn closest_walls(
         &mut self,
-        to: &[Vector<D>],
+        [from, to]: [&[Vector<D>]; 2],
         obstacles: &[Obstacle<D>],
         poses: &dyn Fn(usize) -> Pose<D>,
         time: f64,
@@ -342,12 +347,27 @@ impl<const D: usize> Contacts<D> {
             let reach = 2.0 * least.max(0.0) + self.roster.outer[agent];
             let ball = self.walls.nearest(agent, place, obstacles, reach);
             self.clear[agent] = gone + ball.unwrap_or(reach) - least.min(f64::MAX);
-            if ball.is_none_or(|gap| gap >= least) {
-                continue;
-            }
             let solid = self.roster.solid(agent);
             let pose = poses(agent);
             let mut found = (least, usize::MAX);
+            let way = place - from[agent];
+            self.walls.of(agent, least, |k, part| {
+                // Past a corner within the step. Where the obstacle moves, ends of steps must do.
+                let obstacle = &obstacles[k];
+                let stand = |share: f64| {
+                    let there = pose.at(place - way * (1.0 - share));
+                    obstacle.parts()[part].separation(&obstacle.pose, solid, &there)
+                };
+                if obstacle.motion().is_none()
+                    && let Some(gap) = least_on_way(&way, &stand)
+                    && gap < found.0
+                {
+                    found = (gap, k);
+                }
+            });
+            if ball.is_none_or(|gap| gap >= least) && found.1 == usize::MAX {
+                continue;
+            }
             for (k, obstacle) in obstacles.iter().enumerate() {
                 if obstacle.may_reach(place, found.0.min(f64::MAX) + self.roster.outer[agent]) {
                     let exact = obstacle.gap(solid, &pose);
@@ -400,6 +420,29 @@ impl<const D: usize> Contacts<D> {
         let longest = squares.fold(0.0, f64::max).sqrt();
         self.state.strain.travel = self.state.strain.travel.max(longest);
     }
+}
+
+/// The least gap on a straight way of the first against the second, where it is least between the
+/// ends; `stand` tells how they stand to each other at a share of the way.
+fn least_on_way<const D: usize>(
+    way: &Vector<D>,
+    stand: &dyn Fn(f64) -> Separation<D>,
+) -> Option<f64> {
+    if way.dot(&stand(1.0).normal) >= 0.0 || way.dot(&stand(0.0).normal) <= 0.0 {
+        return None;
+    }
+    // Along a straight way the gap of convex things is convex.
+    let (mut low, mut high, mut least) = (0.0, 1.0, f64::INFINITY);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        let found = stand(middle);
+        least = least.min(found.gap);
+        match way.dot(&found.normal) > 0.0 {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    Some(least)
 }
 
 /// The least distance on the straight way from one place to another.

@@ -90,26 +90,23 @@ impl<const D: usize> Flight<'_, D> {
             .map_or(Vector::zeros(), |twist| twist.at(point))
     }
 
-    /// How far the surface of each obstacle moved at most.
-    pub(super) fn moved(&self) -> Vec<f64> {
-        (0..self.obstacles.len())
-            .map(|k| {
-                if self.obstacles[k].motion().is_none() {
-                    return 0.0;
-                }
-                let way = self.wall(k);
-                let swing = way.turning.norm() * self.step;
-                let reach = match swing > 0.0 {
-                    true => self.obstacles[k].reach(),
-                    false => 0.0,
-                };
-                // Motions that swing to and fro may bend in the step as well.
-                let twist = self.obstacles[k].twist().map_or(Vector::zeros(), |twist| {
-                    twist.at(&self.obstacles[k].pose.translation)
-                });
-                let straight = way.velocity.norm().max(twist.norm()) * self.step;
-                2.0 * straight + swing * reach
-            })
-            .collect()
+    /// How far the surface of an obstacle moved at most.
+    pub(super) fn moved(&self, obstacle: usize) -> f64 {
+        let it = &self.obstacles[obstacle];
+        let Some(twist) = it.twist() else {
+            return 0.0;
+        };
+        let way = self.wall(obstacle);
+        let swing = way.turning.norm() * self.step;
+        let reach = match swing > 0.0 {
+            true => it.reach(),
+            false => 0.0,
+        };
+        // Motions that swing to and fro may bend in the step as well.
+        let straight = way
+            .velocity
+            .norm()
+            .max(twist.at(&it.pose.translation).norm());
+        2.0 * straight * self.step + swing * reach
     }
 }

@@ -75,8 +75,7 @@ pub(super) struct Sweep<'a, const D: usize> {
     /// in their order.
     engine: &'a [Pair],
     leaning: &'a [Pair],
-    /// The ways of obstacles, and the new ones of agents that bounced.
-    obstacles: Vec<Way<D>>,
+    /// The new ways of agents that bounced.
     changed: BTreeMap<usize, Way<D>>,
     stamps: HashMap<usize, u32>,
     queue: BinaryHeap<Event>,
@@ -99,9 +98,6 @@ impl<'a, const D: usize> Sweep<'a, D> {
         [engine, leaning]: [&'a [Pair]; 2],
     ) -> Self {
         Self {
-            obstacles: (0..flight.obstacles.len())
-                .map(|k| flight.wall(k))
-                .collect(),
             roster,
             flight,
             agents,
@@ -240,7 +236,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
             }
             Other::Part(obstacle, _) => {
                 let obstacle = obstacle as usize;
-                let other = &self.obstacles[obstacle];
+                let other = &self.flight.wall(obstacle);
                 let meeting = Meeting {
                     ways: [&one, other],
                     reaches: [
@@ -307,7 +303,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         let obstacles = self.flight.obstacles;
         if obstacles[obstacle].motion().is_some() {
             // Told where the obstacle is when the others are looked at: at the end of the step.
-            let then = self.obstacles[obstacle].pose_at(time);
+            let then = self.flight.wall(obstacle).pose_at(time);
             let now = &obstacles[obstacle].pose;
             point = now.point_to_world(&then.point_to_local(&point));
             normal = now.vector_to_world(&then.vector_to_local(&normal));
@@ -529,7 +525,7 @@ impl<const D: usize> Strike<'_, '_, D> {
             Other::Part(obstacle, _) => {
                 let obstacle = obstacle as usize;
                 (
-                    sweep.obstacles[obstacle].clone(),
+                    sweep.flight.wall(obstacle),
                     sweep.roster.against(agent, obstacle),
                 )
             }

@@ -34,12 +34,14 @@ pub struct GroupSpec {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: Option<f64>,
     /// Restitution of the bodies' surfaces, from 0 to 1; absent means that of `physics`,
-    /// which is also the obstacles'. A contact's restitution is the mean of its two surfaces'.
+    /// which is also the obstacles'. A contact's restitution is the mean of its two surfaces',
+    /// unless it is with an obstacle that has its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,
     /// Coulomb friction coefficient of the bodies' surfaces; absent means that of `physics`,
-    /// which is also the obstacles'. A contact's coefficient is the mean of its two surfaces'.
+    /// which is also the obstacles'. A contact's coefficient is the mean of its two surfaces',
+    /// unless it is with an obstacle that has its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0))]
     pub friction: Option<f64>,

@@ -130,8 +130,9 @@ pub struct PhysicsSpec {
     /// round. One is enough but for dense piles.
     #[schemars(range(min = 1, max = 64))]
     pub solver_iterations: usize,
-    /// Restitution of every surface: 0 keeps no normal speed, 1 keeps all of it. A contact's
-    /// is the mean of its two surfaces'; groups may have their own.
+    /// Restitution of every surface: 0 keeps no normal speed, 1 keeps all of it, but for bounces
+    /// shorter than a step. A contact's is the mean of its two surfaces'; groups and obstacles may
+    /// have their own.
     #[schemars(range(min = 0, max = 1))]
     pub restitution: f64,
     /// Coulomb friction coefficient of every surface. A contact's is the mean of its two

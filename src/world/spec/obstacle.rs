@@ -31,11 +31,13 @@ pub struct ObstacleSpec {
     /// would count twice at a joint. A shape that is convex itself has one β-agent anyway.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub beta_agents: Option<BetaAgents>,
-    /// Restitution of contacts with it, 0 to 1; absent means that of `physics`.
+    /// Restitution of contacts with it, 0 to 1, whatever that of the agents; absent means the mean
+    /// of the agents' and that of `physics`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,
-    /// Coulomb friction coefficient of contacts with it; absent means that of `physics`.
+    /// Coulomb friction coefficient of contacts with it, whatever that of the agents; absent means
+    /// the mean of the agents' and that of `physics`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0))]
     pub friction: Option<f64>,

@@ -14,3 +14,82 @@ pub(super) use walls::Walls;
 
 /// Budgets are this many times the way of the step in which lists are made.
 const STEPS: f64 = 8.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vector;
+    use crate::shape::{Obstacle, Pose, Shape, Solid};
+    use proptest::prelude::*;
+
+    fn walk(start: &[[f64; 2]], pushes: &[[f64; 2]], speed: f64) -> Vec<Vec<Vector<2>>> {
+        let mut positions: Vec<Vector<2>> = start.iter().map(|at| Vector::from(*at)).collect();
+        let mut all = vec![positions.clone()];
+        for step in 0..30 {
+            for (k, position) in positions.iter_mut().enumerate() {
+                // One is much faster than the others.
+                let fast = if k == 0 { 9.0 } else { 1.0 };
+                *position += Vector::from(pushes[(k + step) % pushes.len()]) * (speed * fast);
+            }
+            all.push(positions.clone());
+        }
+        all
+    }
+
+    /// The least gap of two balls on straight ways.
+    fn least(radii: f64, before: Vector<2>, after: Vector<2>) -> f64 {
+        let shares = (0..=20).map(|k| f64::from(k) / 20.0);
+        let gaps = shares.map(|s| (before + (after - before) * s).norm() - radii);
+        gaps.fold(f64::INFINITY, f64::min)
+    }
+
+    proptest! {
+        #[test]
+        fn no_pair_and_no_wall_is_missed(
+            start in prop::collection::vec(prop::array::uniform2(-9.0..9.0f64), 2..40),
+            pushes in prop::collection::vec(prop::array::uniform2(-1.0..1.0f64), 1..9),
+            widths in prop::collection::vec(0.01..2.0f64, 1..5),
+            speed in 0.0..0.7f64,
+        ) {
+            let radii: Vec<f64> = (0..start.len()).map(|k| widths[k % widths.len()]).collect();
+            let kinds: Vec<usize> = (0..start.len()).map(|k| k % widths.len()).collect();
+            let ball = |&radius: &f64| Solid::new(Shape::Ball { radius }).expect("a ball");
+            let balls: Vec<Solid<2>> = widths.iter().map(ball).collect();
+            let obstacles: Vec<Obstacle<2>> = (0..12)
+                .map(|k| {
+                    let at = Vector::<2>::new(f64::from(k % 4) * 5.0 - 8.0, f64::from(k / 4) * 6.0);
+                    let half_extents = Vector::<2>::new(0.5, 0.2 + 0.1 * f64::from(k));
+                    let pose = Pose::new(at, [0.0, 0.0, f64::from(k)]);
+                    let shape = Shape::Cuboid { half_extents };
+                    Obstacle::new(String::new(), shape, pose).expect("a box")
+                })
+                .collect();
+            let places = walk(&start, &pushes, speed);
+            let mut agents = Agents::new(&radii);
+            let mut walls = Walls::new(balls.clone(), &kinds);
+            for pair in [[&places[0], &places[0]]].into_iter().chain(places.windows(2).map(|it| [&it[0], &it[1]])) {
+                let ways = [&pair[0][..], &pair[1][..]];
+                agents.follow(ways, &|_| 0.0, f64::INFINITY);
+                walls.follow(ways, &|_| 0.0, &obstacles, &|_| 0.0);
+                let mut found = std::collections::HashSet::new();
+                agents.below(0.0, |one, other| { found.insert((one, other)); });
+                let mut met = std::collections::HashSet::new();
+                walls.below(0.0, |agent, obstacle, _| { met.insert((agent, obstacle)); });
+                for i in 0..start.len() {
+                    for j in i + 1..start.len() {
+                        let (before, after) = (ways[0][j] - ways[0][i], ways[1][j] - ways[1][i]);
+                        let gap = least(radii[i] + radii[j], before, after);
+                        prop_assert!(gap >= 0.0 || found.contains(&(i, j)), "{i} and {j}");
+                    }
+                    for (k, obstacle) in obstacles.iter().enumerate() {
+                        let gap = (0..=20)
+                            .map(|s| ways[0][i] + (ways[1][i] - ways[0][i]) * (f64::from(s) / 20.0))
+                            .map(|at| obstacle.project(&at).distance - radii[i])
+                            .fold(f64::INFINITY, f64::min);
+                        prop_assert!(gap >= 0.0 || met.contains(&(i, k)), "{i} and wall {k}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -69,7 +69,7 @@ impl<const D: usize> Walls<D> {
         [from, to]: [&[Vector<D>]; 2],
         bend: &(impl Fn(usize) -> f64 + Sync),
         obstacles: &[Obstacle<D>],
-        moved: &[f64],
+        moved: &dyn Fn(usize) -> f64,
     ) {
         if obstacles.is_empty() {
             return;
@@ -77,13 +77,13 @@ impl<const D: usize> Walls<D> {
         self.any = true;
         self.boxes.about(obstacles);
         self.everywhere.clear();
-        let far = (0..obstacles.len()).filter(|&k| moved[k].is_infinite());
-        self.everywhere.extend(far.map(|k| k as u32));
-        let step = moved
-            .iter()
-            .copied()
-            .filter(|it| it.is_finite())
-            .fold(0.0, f64::max);
+        let mut step = 0.0f64;
+        for k in 0..obstacles.len() {
+            match moved(k) {
+                way if way.is_finite() => step = step.max(way),
+                _ => self.everywhere.push(k as u32),
+            }
+        }
         self.moved += step;
         let agents = to.len();
         let chunks = self.gone.par_chunks_mut(CHUNK).enumerate();
