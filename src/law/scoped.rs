@@ -3,7 +3,7 @@
 use crate::law::{Law, Link, Pull};
 use crate::math::{Vector, mean};
 use crate::sense::Scene;
-use crate::world::spec::{GroupSpec, ScopeSpec, acting_on};
+use crate::world::spec::{GroupSpec, ScopeSpec, acting_on, seen_by};
 
 /// A law that acts on the agents of some groups only, or sees only some groups as
 /// neighbours. The means that it sees are those of the agents that it acts on.
@@ -29,7 +29,7 @@ impl<const D: usize> Scoped<D> {
             None => "*".to_owned(),
         };
         let (agents, neighbours) = (names(&scope.agents), names(&scope.neighbours));
-        let sees = scope.seeing(groups);
+        let sees = seen_by(Some(scope), groups);
         Self {
             name: format!("{}({agents}<-{neighbours})", law.name()),
             acts_on: acting_on(Some(scope), groups),

@@ -8,7 +8,7 @@ use crate::metric::{
 };
 use crate::net::symmetric_connectivity;
 use crate::trace::record::{InfluenceRecord, LawRecord, LawsRecord};
-use crate::world::spec::{LawSpec, PairPotentialSpec, ScopeSpec, Share, acts_on};
+use crate::world::spec::{LawSpec, PairPotentialSpec, ScopeSpec, Share, acting_on, seen_by};
 use crate::world::{World, vector};
 
 /// What each law of a flock asks for in a state.
@@ -134,11 +134,11 @@ fn total_potential<const D: usize>(
     scope: Option<&ScopeSpec>,
 ) -> f64 {
     let groups = &world.spec.agents;
-    let sees = |group: usize| scope.is_none_or(|scope| scope.sees(&groups[group]));
+    let (acts, sees) = (acting_on(scope, groups), seen_by(scope, groups));
     let potential: Potential = law.potential;
     let range = law.range.unwrap_or(f64::INFINITY);
     let seen: Vec<usize> = (0..positions.len())
-        .filter(|&agent| sees(world.agents.group[agent]))
+        .filter(|&agent| sees[world.agents.group[agent]])
         .collect();
     let share = match law.share {
         Share::Sum => 1.0,
@@ -146,7 +146,7 @@ fn total_potential<const D: usize>(
     };
     let mut sum = 0.0;
     for (i, at) in positions.iter().enumerate() {
-        if !acts_on(scope, &groups[world.agents.group[i]]) {
+        if !acts[world.agents.group[i]] {
             continue;
         }
         for &j in seen.iter().filter(|&&j| j != i) {

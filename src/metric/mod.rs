@@ -48,9 +48,8 @@ pub fn measure<const D: usize>(world: &World<D>, snapshot: &Snapshot<'_, D>) -> 
     let net = alpha.map(|alpha| Net::new(snapshot.positions, alpha.range));
     let clusters = net.as_ref().map(Net::partition);
     let center = mean(snapshot.velocities);
-    let targets: Vec<Vector<D>> = (0..world.spec.agents.len())
-        .map(|group| world.navigation_velocity_of(group).unwrap_or(center))
-        .collect();
+    let targets = world.navigation_velocities().into_iter();
+    let targets: Vec<Vector<D>> = targets.map(|target| target.unwrap_or(center)).collect();
     let target_of = world.agents.group.iter().map(|&group| targets[group]);
     let collisions = collision_ratio(world, snapshot);
     let (agent_gap, obstacle_gap) = (agent_gap(world, snapshot), obstacle_gap(world, snapshot));

@@ -11,7 +11,7 @@ use crate::world::overlap::overlaps;
 use crate::world::placement::Placement;
 use crate::world::problem::Problem;
 use crate::world::spec::{
-    AlphaInteractionSpec, LawSpec, ScopeSpec, WorldSpec, acting_on, acts_on, each_law, each_law_mut,
+    AlphaInteractionSpec, LawSpec, ScopeSpec, WorldSpec, acting_on, each_law, each_law_mut,
 };
 use crate::world::start_distance::too_near;
 use crate::world::vector_or_zero;
@@ -180,13 +180,20 @@ impl<const D: usize> World<D> {
         self.laws().find_map(|(_, law)| steered_velocity(law))
     }
 
-    /// The velocity to which the first navigation law that acts on a group steers, rest
+    /// For each group, the velocity to which the first navigation law that acts on it steers, rest
     /// included.
-    pub fn navigation_velocity_of(&self, group: usize) -> Option<Vector<D>> {
-        let group = self.spec.agents.get(group)?;
-        self.laws()
-            .filter(|(scope, _)| acts_on(*scope, group))
-            .find_map(|(_, law)| steered_velocity(law))
+    pub fn navigation_velocities(&self) -> Vec<Option<Vector<D>>> {
+        let mut velocities = vec![None; self.spec.agents.len()];
+        for (scope, law) in self.laws() {
+            let Some(velocity) = steered_velocity(law) else {
+                continue;
+            };
+            let acting = acting_on(scope, &self.spec.agents);
+            for (known, _) in velocities.iter_mut().zip(acting).filter(|(_, acts)| *acts) {
+                known.get_or_insert(velocity);
+            }
+        }
+        velocities
     }
 
     /// The first (α, α) interaction, whose range defines the proximity net.

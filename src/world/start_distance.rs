@@ -2,7 +2,7 @@
 
 use crate::world::agents::Agents;
 use crate::world::problem::Problem;
-use crate::world::spec::{LawSpec, WorldSpec, acts_on, each_law, each_path};
+use crate::world::spec::{LawSpec, WorldSpec, acting_on, each_law, each_path, seen_by};
 use crate::world::standing::Standing;
 use crate::world::words::number;
 
@@ -14,9 +14,8 @@ pub(super) fn too_near<const D: usize>(spec: &WorldSpec, agents: &Agents<D>) -> 
         let LawSpec::CuckerDong(law) = law else {
             continue;
         };
-        let group = |i: usize| &spec.agents[agents.group[i]];
-        let sees = |i: usize| scope.is_none_or(|scope| scope.sees(group(i)));
-        let pushes = |a: usize, b: usize| acts_on(scope, group(a)) && sees(b);
+        let (acts, sees) = (acting_on(scope, &spec.agents), seen_by(scope, &spec.agents));
+        let pushes = |a: usize, b: usize| acts[agents.group[a]] && sees[agents.group[b]];
         // A hair more, for roots round.
         let room = law.squared_distance.sqrt() * (1.0 + 1e-9);
         let mut standing = Standing::new(std::iter::once(room));

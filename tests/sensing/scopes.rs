@@ -147,8 +147,8 @@ fn each_group_is_measured_by_its_own_target() {
         &[(3, Value::Null), (2, Value::Null)],
         json!({ "laws": [scope("group 0", [1.0, 2.0]), scope("group 1", [-3.0, 0.0])] }),
     );
-    assert_eq!(world.navigation_velocity_of(0), Some(targets[0]));
-    assert_eq!(world.navigation_velocity_of(1), Some(targets[1]));
+    assert_eq!(world.navigation_velocities()[0], Some(targets[0]));
+    assert_eq!(world.navigation_velocities()[1], Some(targets[1]));
     let mut v: Vec<_> = world
         .agents
         .group

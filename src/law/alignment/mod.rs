@@ -57,7 +57,7 @@ use crate::sum::Sums;
 use crate::sum::fast::Kernel;
 use crate::world::World;
 use crate::world::spec::{
-    AlignmentSpec, NormalisationSpec, RelaxationSpec, ScopeSpec, SummationSpec,
+    AlignmentSpec, NormalisationSpec, RelaxationSpec, ScopeSpec, SummationSpec, seen_by,
 };
 
 use crowd::Crowd;
@@ -95,7 +95,8 @@ impl<const D: usize> Alignment<D> {
     /// none.
     pub fn new(spec: &AlignmentSpec, scope: Option<&ScopeSpec>, world: &World<D>) -> Self {
         let groups = &world.spec.agents;
-        let sees = |group: &&usize| scope.is_none_or(|scope| scope.sees(&groups[**group]));
+        let seen = seen_by(scope, groups);
+        let sees = |group: &&usize| seen[**group];
         let weights = |graph| Weights::new(graph, world.agents.len(), world.spec.seed);
         let kernel = spec.kernel.influence();
         let bare = spec.range.is_none()

@@ -6,7 +6,7 @@ use crate::world::limits::MOST_ARCS;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     ActsAs, AlignmentSpec, GainSpec, GraphSpec, KernelSpec, NormalisationSpec, OpenLoopSpec,
-    RelaxationSpec, ScopeSpec, Values, VaryingGainSpec, WorldSpec,
+    RelaxationSpec, ScopeSpec, Values, VaryingGainSpec, WorldSpec, seen_by,
 };
 use crate::world::words::number;
 
@@ -165,9 +165,8 @@ fn rate(law: &AlignmentSpec, scope: Option<&ScopeSpec>, world: &WorldSpec) -> Op
         GainSpec::Varying(_) => return None,
     };
     let gain = largest_rate(law.acts_as, std::iter::repeat(gain), scope, world);
-    let seen = (world.agents.iter())
-        .filter(|group| scope.is_none_or(|scope| scope.sees(group)))
-        .filter_map(size)
+    let seen = (world.agents.iter().zip(seen_by(scope, &world.agents)))
+        .filter_map(|(group, seen)| size(group).filter(|_| seen))
         .fold(0, usize::saturating_add) as f64;
     let plain = law.range.is_none()
         && law.graph.is_none()

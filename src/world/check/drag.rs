@@ -2,7 +2,7 @@
 
 use super::{Check, size};
 use crate::world::spec::{
-    ActsAs, FrictionSpec, PerAgent, ScopeSpec, SelfPropulsionSpec, WorldSpec, acts_on,
+    ActsAs, FrictionSpec, PerAgent, ScopeSpec, SelfPropulsionSpec, WorldSpec, acting_on,
 };
 
 impl Check {
@@ -90,10 +90,8 @@ fn masses<'a>(
     scope: Option<&'a ScopeSpec>,
     world: &'a WorldSpec,
 ) -> impl Iterator<Item = f64> + 'a {
-    let groups = world
-        .agents
-        .iter()
-        .filter(move |group| acts_on(scope, group));
+    let groups = world.agents.iter().zip(acting_on(scope, &world.agents));
+    let groups = groups.filter_map(|(group, acts)| acts.then_some(group));
     groups.flat_map(|group| {
         let same = match (&group.mass, group.density) {
             (Some(PerAgent::All(mass)), _) => *mass,

@@ -5,7 +5,7 @@ use crate::world::limits::MOST_LAWS;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     ActionSpec, Feedback, GammaSpec, GroupSpec, LawSpec, NavigationSpec, ScopeSpec, Values,
-    WorldSpec, acts_on, each_law,
+    WorldSpec, acting_on, each_law,
 };
 use crate::world::words::{did_you_mean, number};
 
@@ -28,11 +28,13 @@ pub fn velocity_to_follow<'a>(
     scope: Option<&ScopeSpec>,
 ) -> Option<&'a Vec<f64>> {
     let covers = |other: Option<&ScopeSpec>| {
-        let mut groups = world.agents.iter();
         // Groups are many, scopes few, and most are the same or none.
         other.is_none()
             || other.map(|it| &it.agents) == scope.map(|it| &it.agents)
-            || groups.all(|group| acts_on(other, group) || !acts_on(scope, group))
+            || acting_on(other, &world.agents)
+                .into_iter()
+                .zip(acting_on(scope, &world.agents))
+                .all(|(covered, acts)| covered || !acts)
     };
     each_law(&world.laws).find_map(|(other, law)| match law {
         LawSpec::Navigation(law) => law

@@ -4,7 +4,7 @@ use super::Check;
 use crate::world::problem::Problem;
 use crate::world::spec::{
     FlatnessSpec, LawSpec, ScopeSpec, SteeringSpec, TimeFunctionSpec, TrackingSpec,
-    TrajectoriesSpec, TrajectorySpec, WorldSpec, acts_on, each_law,
+    TrajectoriesSpec, TrajectorySpec, WorldSpec, acting_on, each_law,
 };
 
 impl Check {
@@ -65,17 +65,19 @@ impl Check {
         }
         self.feedback(path, law.position_gain, law.velocity_gain);
         // Each would add what is missing in full.
-        let acts = |group| acts_on(scope, group);
+        let acts = acting_on(scope, &world.agents);
         let earlier = each_law(&world.laws).take_while(
             |(_, other)| !matches!(other, LawSpec::Flatness(it) if std::ptr::eq(it, law)),
         );
         let twice = earlier
             .filter(|(_, other)| matches!(other, LawSpec::Flatness(_)))
             .find_map(|(other, _)| {
-                let mut groups = world.agents.iter().enumerate();
-                groups.find(|(_, group)| acts(group) && acts_on(other, group))
+                let others = acting_on(other, &world.agents);
+                acts.iter()
+                    .zip(others)
+                    .position(|(acts, other)| *acts && other)
             });
-        if let Some((index, _)) = twice {
+        if let Some(index) = twice {
             let what = format!("agents[{index}] is steered by another flatness law already");
             let problem = Problem::new(path, what);
             self.problems

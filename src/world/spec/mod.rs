@@ -47,7 +47,7 @@ pub use pair_force::{
     CuckerDongSpec, FirstOrderFlowSpec, PairPotentialSpec, ParkBondingSpec, Share,
 };
 pub use pattern::{BallPatternSpec, LinePatternSpec};
-pub use scope::{ScopeSpec, acting_on, acts_on, each_law};
+pub use scope::{ScopeSpec, acting_on, acts_on, each_law, seen_by};
 pub(in crate::world) use scope::{each_law_mut, each_path};
 pub use sensing::{BlockedBySpec, ConeSpec, FieldOfViewSpec, NoiseSpec, SensingSpec};
 pub use start::{

@@ -31,11 +31,6 @@ impl ScopeSpec {
         is_named(&self.agents, group)
     }
 
-    /// For each group, whether the laws see its agents as neighbours.
-    pub fn seeing(&self, groups: &[GroupSpec]) -> Vec<bool> {
-        among(&self.neighbours, groups)
-    }
-
     /// Whether the laws see the agents of a group as neighbours.
     pub fn sees(&self, group: &GroupSpec) -> bool {
         is_named(&self.neighbours, group)
@@ -46,6 +41,14 @@ impl ScopeSpec {
 pub fn acting_on(scope: Option<&ScopeSpec>, groups: &[GroupSpec]) -> Vec<bool> {
     match scope {
         Some(scope) => among(&scope.agents, groups),
+        None => vec![true; groups.len()],
+    }
+}
+
+/// For each group, whether laws in a scope, or in none, see its agents as neighbours.
+pub fn seen_by(scope: Option<&ScopeSpec>, groups: &[GroupSpec]) -> Vec<bool> {
+    match scope {
+        Some(scope) => among(&scope.neighbours, groups),
         None => vec![true; groups.len()],
     }
 }
