@@ -3,7 +3,7 @@
 /// The first t > 0 at which c + bt + at² is zero, for c > 0.
 pub(super) fn first_root([c, b, a]: [f64; 3]) -> Option<f64> {
     let inner = b * b - 4.0 * a * c;
-    if inner < 0.0 || inner.is_nan() {
+    if inner.is_nan() || inner < 0.0 {
         return None;
     }
     let root = inner.sqrt();

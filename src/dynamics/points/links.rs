@@ -105,16 +105,18 @@ impl<const D: usize> Links<D> {
         let least = self.distances.iter().copied().fold(f64::INFINITY, f64::min);
         let ways = positions.iter().zip(&self.reference);
         let way = ways.map(|(x, from)| (x - from).norm_squared());
-        let way = way.fold(0.0, |a: f64, b| if b <= a { a } else { b }).sqrt();
+        let longer = |a: f64, b: f64| if a.is_nan() || b <= a { a } else { b };
+        let way = way.fold(0.0, longer).sqrt();
         let wanted = 2.0 * way / least;
         if wanted <= self.skin {
             return true;
         }
-        if wanted > THICKEST || wanted.is_nan() {
-            return false;
+        // Also where it is no number.
+        let watched = wanted <= THICKEST;
+        if watched {
+            self.list(f64::min(2.0 * wanted, THICKEST));
         }
-        self.list(f64::min(2.0 * wanted, THICKEST));
-        true
+        watched
     }
 
     /// The same where a step has ended, with the list made around where the agents are now if

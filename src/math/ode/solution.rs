@@ -329,6 +329,11 @@ mod tests {
             out[1] = if self.above { -3.0 } else { 2.0 };
         }
 
+        fn peek(&mut self, _: f64, y: &[f64], out: &mut [f64]) {
+            out[0] = y[1];
+            out[1] = if y[0] > 1.0 { -3.0 } else { 2.0 };
+        }
+
         fn margin(&mut self, _: f64, y: &[f64]) -> f64 {
             if self.above { y[0] - 1.0 } else { 1.0 - y[0] }
         }
