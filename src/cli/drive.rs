@@ -53,6 +53,7 @@ impl<const D: usize> Drive<'_, D> {
     /// Takes a simulation to its end, writes what was asked for and prints a summary.
     pub(super) fn go_on(mut self) -> Result<(), Refusal> {
         interrupt::looks();
+        self.simulation.heed(self.stop.clone());
         self.simulation.measure(self.profile);
         let world = self.simulation.world();
         let progress = Progress::new(world.steps(), world.spec.time.step, self.quiet);
