@@ -136,13 +136,13 @@ impl<const D: usize> Bodies<D> {
         }
         let rotations = self.attitudes.as_ref().map(|it| &it.stances.rotations[..]);
         let ways = [&self.positions[..], &self.next.0[..]];
-        let end = self.time() + self.step_size;
+        let times = [self.time(), self.time() + self.step_size];
         let poses = |agent: usize| {
             let turned = rotations.map_or_else(nalgebra::SMatrix::identity, |all| all[agent]);
             Pose::from_matrix(ways[1][agent], turned)
         };
         self.contacts.note(&self.touches);
-        self.contacts.closest(ways, &self.obstacles, &poses, end);
+        self.contacts.closest(ways, &self.obstacles, &poses, times);
         self.contacts.travel(ways);
         Ok(())
     }

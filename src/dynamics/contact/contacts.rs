@@ -109,7 +109,7 @@ impl<const D: usize> Contacts<D> {
         let here = [start.positions; 2];
         self.agents.follow(here, &|_| 0.0, f64::INFINITY);
         self.walls.follow(here, &|_| 0.0, start.obstacles, &|_| 0.0);
-        self.closest(here, start.obstacles, &|agent| start.pose(agent), time);
+        self.closest(here, start.obstacles, &|agent| start.pose(agent), [time; 2]);
     }
 
     /// Finds the pairs that are to be held together in the step to come: those that touch and

@@ -13,11 +13,11 @@ impl<const D: usize> Contacts<D> {
         [from, to]: [&[Vector<D>]; 2],
         obstacles: &[Obstacle<D>],
         poses: &dyn Fn(usize) -> Pose<D>,
-        time: f64,
+        [begin, end]: [f64; 2],
     ) {
-        self.closest_agents([from, to], poses, time);
+        self.closest_agents([from, to], poses, [begin, end]);
         if !obstacles.is_empty() {
-            self.closest_walls([from, to], obstacles, poses, time);
+            self.closest_walls([from, to], obstacles, poses, [begin, end]);
         }
     }
 
@@ -25,7 +25,7 @@ impl<const D: usize> Contacts<D> {
         &mut self,
         [from, to]: [&[Vector<D>]; 2],
         poses: &dyn Fn(usize) -> Pose<D>,
-        time: f64,
+        [begin, end]: [f64; 2],
     ) {
         let roster = &self.roster;
         loop {
@@ -35,7 +35,8 @@ impl<const D: usize> Contacts<D> {
             self.agents.below(gap, |one, other| {
                 let between = roster.outer[one] + roster.outer[other];
                 let (before, after) = (from[other] - from[one], to[other] - to[one]);
-                let mut found = nearest_on_way(&before, &after) - between;
+                let (distance, mut share) = nearest_on_way(&before, &after);
+                let mut found = distance - between;
                 if found < least && !(roster.is_ball(one) && roster.is_ball(other)) {
                     let solids = [roster.solid(one), roster.solid(other)];
                     let (here, there) = (poses(one), poses(other));
@@ -44,8 +45,7 @@ impl<const D: usize> Contacts<D> {
                         let back = here.at(here.translation - way * (1.0 - share));
                         solids[0].separation(&back, solids[1], &there)
                     };
-                    let within = least_on_way(&way, &stand).unwrap_or(f64::INFINITY);
-                    found = stand(1.0).gap.min(within);
+                    (found, share) = least_on_way(&way, &stand).unwrap_or((stand(1.0).gap, 1.0));
                 }
                 if found < least {
                     least = found;
@@ -53,7 +53,7 @@ impl<const D: usize> Contacts<D> {
                         gap: found,
                         agent: one,
                         to: Touched::Agent(other),
-                        time,
+                        time: begin + share * (end - begin),
                     });
                 }
             });
@@ -72,7 +72,7 @@ impl<const D: usize> Contacts<D> {
         [from, to]: [&[Vector<D>]; 2],
         obstacles: &[Obstacle<D>],
         poses: &dyn Fn(usize) -> Pose<D>,
-        time: f64,
+        [begin, end]: [f64; 2],
     ) {
         for (agent, place) in to.iter().enumerate() {
             let gone = self.walls.gone(agent);
@@ -86,7 +86,7 @@ impl<const D: usize> Contacts<D> {
             self.clear[agent] = gone + ball.unwrap_or(reach) - least.min(f64::MAX);
             let solid = self.roster.solid(agent);
             let pose = poses(agent);
-            let mut found = (least, usize::MAX);
+            let mut found = (least, usize::MAX, 1.0);
             let way = place - from[agent];
             self.walls.of(agent, least, |k, part| {
                 // Past a corner within the step. Where the obstacle moves, ends of steps must do.
@@ -96,10 +96,10 @@ impl<const D: usize> Contacts<D> {
                     obstacle.parts()[part].separation(&obstacle.pose, solid, &there)
                 };
                 if obstacle.motion().is_none()
-                    && let Some(gap) = least_on_way(&way, &stand)
+                    && let Some((gap, share)) = least_on_way(&way, &stand)
                     && gap < found.0
                 {
-                    found = (gap, k);
+                    found = (gap, k, share);
                 }
             });
             if ball.is_none_or(|gap| gap >= least) && found.1 == usize::MAX {
@@ -109,7 +109,7 @@ impl<const D: usize> Contacts<D> {
                 if obstacle.may_reach(place, found.0.min(f64::MAX) + self.roster.outer[agent]) {
                     let exact = obstacle.gap(solid, &pose);
                     if exact < found.0 {
-                        found = (exact, k);
+                        found = (exact, k, 1.0);
                     }
                 }
             }
@@ -118,28 +118,30 @@ impl<const D: usize> Contacts<D> {
                     gap: found.0,
                     agent,
                     to: Touched::Obstacle(found.1),
-                    time,
+                    time: begin + found.2 * (end - begin),
                 });
             }
         }
     }
 }
 
-/// The least gap on a straight way of the first against the second, where it is least between the
-/// ends; `stand` tells how they stand to each other at a share of the way.
+/// The least gap on a straight way of the first against the second, and the share of the way
+/// where it is, if that is between the ends; `stand` tells how they stand to each other at a share of the way.
 fn least_on_way<const D: usize>(
     way: &Vector<D>,
     stand: &dyn Fn(f64) -> Separation<D>,
-) -> Option<f64> {
+) -> Option<(f64, f64)> {
     if way.dot(&stand(1.0).normal) >= 0.0 || way.dot(&stand(0.0).normal) <= 0.0 {
         return None;
     }
     // Along a straight way the gap of convex things is convex.
-    let (mut low, mut high, mut least) = (0.0, 1.0, f64::INFINITY);
+    let (mut low, mut high, mut least) = (0.0, 1.0, (f64::INFINITY, 1.0));
     for _ in 0..40 {
         let middle = 0.5 * (low + high);
         let found = stand(middle);
-        least = least.min(found.gap);
+        if found.gap < least.0 {
+            least = (found.gap, middle);
+        }
         match way.dot(&found.normal) > 0.0 {
             true => low = middle,
             false => high = middle,
@@ -148,13 +150,18 @@ fn least_on_way<const D: usize>(
     Some(least)
 }
 
-/// The least distance on the straight way from one place to another.
-fn nearest_on_way<const D: usize>(from: &Vector<D>, to: &Vector<D>) -> f64 {
+/// The least distance on the straight way from one place to another, and the share of the way
+/// where it is.
+fn nearest_on_way<const D: usize>(from: &Vector<D>, to: &Vector<D>) -> (f64, f64) {
     let way = to - from;
     let squared = way.norm_squared();
     let share = match squared > 0.0 {
         true => (-from.dot(&way) / squared).clamp(0.0, 1.0),
         false => 1.0,
     };
-    (from + way * share).norm().min(to.norm())
+    let end = to.norm();
+    match (from + way * share).norm() {
+        within if within < end => (within, share),
+        _ => (end, 1.0),
+    }
 }
