@@ -15,10 +15,15 @@ use super::way::{embed, project};
 use crate::math::{Matrix, Vector};
 
 /// Rounds of bounces after which all spots of a cluster are stopped together.
-const ROUNDS: usize = 1000;
+const ROUNDS: usize = 300;
 
-/// Passes over the spots in which impulses settle, at most.
-const PASSES: usize = 4000;
+/// Rounds after which slow approach counts as none.
+const PATIENT: usize = 40;
+
+/// Spots that settle together to rounding, and the passes over them in which they do; where there
+/// are more, fewer passes must do: what they leave is for the next round.
+const FEW: (usize, usize) = (12, 2000);
+const PASSES: usize = 60;
 
 /// Passes of friction, at most, where spots share bodies.
 const RUBS: usize = 50;
@@ -79,7 +84,8 @@ impl<const D: usize> Cluster<D> {
                     asked.resize(self.bodies.len(), false);
                 }
             }
-            let least = self.least();
+            let patience = if round < PATIENT { 1.0 } else { 1e7 };
+            let least = self.least() * patience;
             let approach: Vec<usize> = (0..self.spots.len())
                 .filter(|&k| self.separation(k) < -least)
                 .collect();
@@ -112,7 +118,7 @@ impl<const D: usize> Cluster<D> {
             }
             struck.sort_unstable();
             struck.dedup();
-            if round >= 2 * ROUNDS {
+            if round >= ROUNDS + PATIENT {
                 return;
             }
         }
@@ -121,8 +127,9 @@ impl<const D: usize> Cluster<D> {
     /// Stops what approaches each other, without any bounce.
     pub(super) fn stop(&mut self) {
         let mut together: Vec<usize> = Vec::new();
-        for _ in 0..ROUNDS {
-            let least = self.least();
+        for round in 0..PATIENT {
+            let patience = if round < PATIENT / 4 { 1.0 } else { 1e7 };
+            let least = self.least() * patience;
             let more: Vec<usize> = (0..self.spots.len())
                 .filter(|&k| self.separation(k) < -least)
                 .collect();
@@ -135,7 +142,6 @@ impl<const D: usize> Cluster<D> {
             let wanted = vec![0.0; together.len()];
             self.turn_back(&together, &wanted);
         }
-        self.unordered = true;
     }
 
     /// The speed of separation at a spot; negative where the surfaces approach each other.
@@ -223,7 +229,11 @@ impl<const D: usize> Cluster<D> {
             })
             .collect();
         let exact = 1e-2 * self.least();
-        for _ in 0..PASSES {
+        let passes = match spots.len() <= FEW.0 {
+            true => FEW.1,
+            false => PASSES,
+        };
+        for _ in 0..passes {
             let mut largest = 0.0f64;
             for (place, &k) in spots.iter().enumerate() {
                 let lacking = wanted[place] - self.separation(k);

@@ -213,6 +213,15 @@ impl<'a, const D: usize> Sweep<'a, D> {
             Other::Agent(other) => {
                 let other_agent = other as usize;
                 let other = self.way(other_agent);
+                // Too far from each other to meet in what is left of the step.
+                let left = end - from;
+                let way = (one.velocity_at(from) - other.velocity_at(from)).norm() * left
+                    + 0.5 * (one.acceleration - other.acceleration).norm() * left * left;
+                let outer = roster.outer[agent] + roster.outer[other_agent];
+                let apart = (one.position_at(from) - other.position_at(from)).norm();
+                if apart > outer + way * (1.0 + 1e-9) {
+                    return None;
+                }
                 let round = roster.is_ball(agent) && roster.is_ball(other_agent);
                 if round && one.acceleration == other.acceleration {
                     let apart = other.position_at(from) - one.position_at(from);

@@ -60,6 +60,15 @@ impl<const D: usize> Strike<'_, '_, D> {
                 )
             }
         };
+        if let Other::Agent(other_agent) = pair.other
+            && !meets
+        {
+            let outer = sweep.roster.outer[agent] + sweep.roster.outer[other_agent as usize];
+            let apart = one.position_at(self.time) - other.position_at(self.time);
+            if apart.norm() > 1.01 * outer {
+                return;
+            }
+        }
         let found = sweep.stand(pair, [&one, &other], self.time);
         let held = || sweep.is_held(pair);
         let size = pair
