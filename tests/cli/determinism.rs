@@ -136,7 +136,7 @@ fn fnv1a(bytes: impl Iterator<Item = u8>) -> u64 {
 #[test]
 fn runs_are_what_they_were() {
     assert_eq!(fnv1a(b"foobar".iter().copied()), 0x8594_4171_f739_67e8);
-    for (dimension, pinned) in [(2, 0xa667_7cef_c733_af6a), (3, 0x290d_8d7b_d66f_5b5b)] {
+    for (dimension, pinned) in [(2, 0x3292_c291_38c1_617c), (3, 0x25ba_b578_cd25_bd54)] {
         let found = fingerprint(dimension);
         assert_eq!(
             found, pinned,
