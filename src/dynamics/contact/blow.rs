@@ -68,6 +68,8 @@ pub(super) struct Cluster<const D: usize> {
     pub(super) spots: Vec<Spot<D>>,
     /// Whether bounces were too many to be told apart.
     pub(super) unordered: bool,
+    /// The highest speed so far, against which speeds are small.
+    pub(super) fastest: f64,
 }
 
 impl<const D: usize> Cluster<D> {
@@ -167,11 +169,14 @@ impl<const D: usize> Cluster<D> {
     }
 
     /// The slowest approach that is told from none.
-    fn least(&self) -> f64 {
+    fn least(&mut self) -> f64 {
         let fastest = |sum: f64, body: &Struck<D>| sum.max(body.velocity.amax());
         let surface = |sum: f64, spot: &Spot<D>| sum.max(spot.surface.amax());
         let fastest = self.bodies.iter().fold(0.0, fastest);
-        2e-13 * self.spots.iter().fold(fastest, surface)
+        let fastest = self.spots.iter().fold(fastest, surface);
+        // Also what has come to rest since: its rounding is that of the speeds it had.
+        self.fastest = self.fastest.max(fastest);
+        2e-13 * self.fastest
     }
 
     /// Finds the impulses that bring spots to the wanted speeds of separation, or to more where
@@ -438,6 +443,7 @@ mod tests {
                 .chain(wall.then(|| spot(last, None, restitution)))
                 .collect(),
             unordered: false,
+            fastest: 0.0,
         }
     }
 

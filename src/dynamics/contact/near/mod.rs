@@ -44,6 +44,7 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(10))]
         #[test]
         fn no_pair_and_no_wall_is_missed(
             start in prop::collection::vec(prop::array::uniform2(-9.0..9.0f64), 2..40),
