@@ -61,6 +61,16 @@ pub(super) struct Spot<const D: usize> {
     pub(super) approach: f64,
 }
 
+/// What the spots of a pair came to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Impulse {
+    /// Normal and friction impulse.
+    pub(super) normal: f64,
+    pub(super) friction: f64,
+    /// The highest speed of approach that was turned back.
+    pub(super) approach: f64,
+}
+
 /// Bodies that touch, and the spots where they do.
 #[derive(Debug, Default)]
 pub(super) struct Cluster<const D: usize> {
@@ -144,6 +154,23 @@ impl<const D: usize> Cluster<D> {
             let wanted = vec![0.0; together.len()];
             self.turn_back(&together, &wanted);
         }
+    }
+
+    /// What the spots of each of some pairs came to so far.
+    pub(super) fn impulses(&self, pairs: usize) -> Vec<Impulse> {
+        let none = Impulse {
+            normal: 0.0,
+            friction: 0.0,
+            approach: f64::NEG_INFINITY,
+        };
+        let mut sums = vec![none; pairs];
+        for spot in &self.spots {
+            let sum = &mut sums[spot.pair];
+            sum.normal += spot.normal_impulse;
+            sum.friction += spot.friction_impulse;
+            sum.approach = sum.approach.max(spot.approach);
+        }
+        sums
     }
 
     /// The speed of separation at a spot; negative where the surfaces approach each other.

@@ -34,6 +34,8 @@ pub(crate) struct Contacts<const D: usize> {
     /// without it.
     engine: Vec<Pair>,
     leaning: Vec<Pair>,
+    /// Whether some agent bounced in the last step farther than its list of others serves.
+    strayed: bool,
     roster: Roster<D>,
     agents: near::Agents<D>,
     walls: near::Walls<D>,
@@ -80,6 +82,7 @@ impl<const D: usize> Contacts<D> {
             walls: near::Walls::new(balls, &world.agents.group),
             engine: Vec::new(),
             leaning: Vec::new(),
+            strayed: false,
             clear: vec![f64::NEG_INFINITY; roster.len()],
             roster,
             state: ContactsState::default(),
@@ -267,6 +270,7 @@ impl<const D: usize> Contacts<D> {
         let near = (&mut self.agents, &mut self.walls);
         let swept = Sweep::new(&self.roster, flight, near, [&self.engine, &self.leaning]).run();
         self.state.strain.unordered += u64::from(swept.unordered);
+        self.strayed = swept.strayed;
         touches.extend(swept.touches);
         swept.changes
     }

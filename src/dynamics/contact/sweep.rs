@@ -12,7 +12,7 @@ mod strike;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap, HashMap};
 
-use super::blow::{Cluster, Struck};
+use super::blow::{Cluster, Impulse, Struck};
 use super::flight::Flight;
 use super::meet::{Pair as Meeting, balls};
 use super::near;
@@ -81,6 +81,9 @@ pub(super) struct Sweep<'a, const D: usize> {
     /// The new ways of agents that bounced.
     changed: BTreeMap<usize, Way<D>>,
     stamps: HashMap<usize, u32>,
+    /// The agents that bounced farther than their lists of others, and of parts, serve.
+    strayed: BTreeSet<usize>,
+    unwalled: BTreeSet<usize>,
     queue: BinaryHeap<Event>,
     touches: BTreeMap<(usize, Touched), Touch<D>>,
     unordered: bool,
@@ -91,6 +94,8 @@ pub(super) struct Swept<const D: usize> {
     pub(super) changes: Vec<Change<D>>,
     pub(super) touches: Vec<Touch<D>>,
     pub(super) unordered: bool,
+    /// Whether some agent bounced farther than the lists of others serve.
+    pub(super) strayed: bool,
 }
 
 impl<'a, const D: usize> Sweep<'a, D> {
@@ -109,6 +114,8 @@ impl<'a, const D: usize> Sweep<'a, D> {
             leaning,
             changed: BTreeMap::new(),
             stamps: HashMap::new(),
+            strayed: BTreeSet::new(),
+            unwalled: BTreeSet::new(),
             queue: BinaryHeap::new(),
             touches: BTreeMap::new(),
             unordered: false,
@@ -151,6 +158,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         Swept {
             changes: changes.collect(),
             unordered: self.unordered,
+            strayed: !self.strayed.is_empty(),
             touches: self.touches.into_values().collect(),
         }
     }
@@ -331,6 +339,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
             sweep: self,
             time,
             agents: Vec::new(),
+            places: HashMap::new(),
             pairs: Vec::new(),
             founds: Vec::new(),
             known: BTreeSet::new(),
@@ -342,11 +351,14 @@ impl<'a, const D: usize> Sweep<'a, D> {
         if !lean {
             cluster.bounce(|cluster, body| struck.ask(cluster, body));
         }
-        let blows = struck.impulses(&cluster);
+        let blows = cluster.impulses(struck.pairs.len());
         let rests = struck.rest(&mut cluster, lean);
         let (agents, pairs, founds) = (struck.agents, struck.pairs, struck.founds);
         self.unordered |= cluster.unordered;
-        self.enter(time, (&pairs, &founds), &cluster, &blows);
+        let sums = cluster.impulses(pairs.len());
+        for (k, pair) in pairs.iter().enumerate() {
+            self.enter(time, (*pair, &founds[k]), &sums[k], blows[k].normal);
+        }
         for (body, &agent) in cluster.bodies.iter().zip(&agents) {
             let rests = rests.contains(&agent);
             let out = match lean {
@@ -382,31 +394,36 @@ impl<'a, const D: usize> Sweep<'a, D> {
         let aside = aside.norm()
             + (way.velocity - old.velocity_at(time)).norm() * left
             + 0.5 * (way.acceleration - old.acceleration).norm() * left * left;
-        let listed = self.agents.stray(agent, aside);
-        let walled = self.walls.stray(agent, aside);
+        if !self.agents.stray(agent, aside) {
+            self.strayed.insert(agent);
+        }
+        if !self.walls.stray(agent, aside) {
+            self.unwalled.insert(agent);
+        }
         self.changed.insert(agent, way);
         *self.stamps.entry(agent).or_default() += 1;
-        if !listed || !walled {
-            self.agents.stray(agent, 0.0);
-        }
-        for pair in self.candidates(agent, !listed, !walled) {
+        for pair in self.candidates(agent) {
             self.foresee(pair, time);
         }
     }
 
     /// The pairs of an agent that may meet in what is left of the step; those of all agents or of
     /// all parts where its lists no longer serve.
-    fn candidates(&mut self, agent: usize, all_agents: bool, all_parts: bool) -> Vec<Pair> {
+    fn candidates(&mut self, agent: usize) -> Vec<Pair> {
         let mut pairs = Vec::new();
-        if all_agents {
-            let others = (0..self.roster.len()).filter(|&other| other != agent);
-            pairs.extend(others.map(|other| Pair::agents(agent, other)));
+        let mut others = Vec::new();
+        if self.strayed.contains(&agent) {
+            others.extend(0..self.roster.len());
         } else {
-            let mut others = Vec::new();
             self.agents.of(agent, &mut others);
-            pairs.extend(others.into_iter().map(|other| Pair::agents(agent, other)));
+            // Who strayed may be on no other's list.
+            let strayed = self.strayed.iter().copied();
+            let more: Vec<usize> = strayed.filter(|it| !others.contains(it)).collect();
+            others.extend(more);
         }
-        if all_parts {
+        let others = others.into_iter().filter(|&other| other != agent);
+        pairs.extend(others.map(|other| Pair::agents(agent, other)));
+        if self.unwalled.contains(&agent) {
             for (k, obstacle) in self.flight.obstacles.iter().enumerate() {
                 pairs.extend((0..obstacle.parts().len()).map(|part| Pair::wall(agent, k, part)));
             }
@@ -418,66 +435,47 @@ impl<'a, const D: usize> Sweep<'a, D> {
         pairs
     }
 
-    /// Enters what a blow did.
+    /// Enters what a pair's impulses were in all, and of these the blow.
     fn enter(
         &mut self,
         time: f64,
-        (pairs, founds): (&[Pair], &[Separation<D>]),
-        cluster: &Cluster<D>,
-        blows: &[f64],
+        (pair, found): (Pair, &Separation<D>),
+        all: &Impulse,
+        blow: f64,
     ) {
-        for (k, pair) in pairs.iter().enumerate() {
-            let spots = cluster.spots.iter().filter(|spot| spot.pair == k);
-            let start = (0.0, 0.0, f64::NEG_INFINITY);
-            let (normal, friction, approach) =
-                spots.fold(start, |(normal, friction, speed), spot| {
-                    let normal = normal + spot.normal_impulse;
-                    (
-                        normal,
-                        friction + spot.friction_impulse,
-                        spot.approach.max(speed),
-                    )
-                });
-            if normal <= 0.0 {
-                continue;
-            }
-            let (agent, touched) = pair.touched();
-            let found = &founds[k];
-            let blow = blows[k];
-            let push_speed = match pair.other {
-                Other::Agent(_) => 0.0,
-                Other::Part(obstacle, _) => {
-                    let surface = self
-                        .flight
-                        .surface(obstacle as usize, &found.points[1], time);
-                    (-surface.dot(&found.normal)).max(0.0)
-                }
-            };
-            let position = self.way(agent).position_at(time);
-            let begin = self.flight.begin + time;
-            let touch = self
-                .touches
-                .entry((agent, touched))
-                .or_insert_with(|| Touch {
-                    agent,
-                    touched,
-                    time: begin,
-                    gap: found.gap,
-                    blow: 0.0,
-                    press: 0.0,
-                    friction: 0.0,
-                    approach_speed: approach,
-                    push_speed: 0.0,
-                    normal: found.normal,
-                    point: found.points[1],
-                    position,
-                });
-            touch.blow += blow;
-            touch.press += normal - blow;
-            touch.friction += friction;
-            touch.gap = touch.gap.min(found.gap);
-            touch.push_speed = touch.push_speed.max(push_speed);
+        if all.normal <= 0.0 {
+            return;
         }
+        let (agent, touched) = pair.touched();
+        let push_speed = match touched {
+            Touched::Agent(_) => 0.0,
+            Touched::Obstacle(obstacle) => {
+                let surface = self.flight.surface(obstacle, &found.points[1], time);
+                (-surface.dot(&found.normal)).max(0.0)
+            }
+        };
+        let position = self.way(agent).position_at(time);
+        let begin = self.flight.begin + time;
+        let touch = self.touches.entry((agent, touched));
+        let touch = touch.or_insert_with(|| Touch {
+            agent,
+            touched,
+            time: begin,
+            gap: found.gap,
+            blow: 0.0,
+            press: 0.0,
+            friction: 0.0,
+            approach_speed: all.approach,
+            push_speed: 0.0,
+            normal: found.normal,
+            point: found.points[1],
+            position,
+        });
+        touch.blow += blow;
+        touch.press += all.normal - blow;
+        touch.friction += all.friction;
+        touch.gap = touch.gap.min(found.gap);
+        touch.push_speed = touch.push_speed.max(push_speed);
     }
 }
 

@@ -15,6 +15,10 @@ impl<const D: usize> Contacts<D> {
         poses: &dyn Fn(usize) -> Pose<D>,
         [begin, end]: [f64; 2],
     ) {
+        if std::mem::take(&mut self.strayed) {
+            let gap = self.state.gaps.agents.map_or(f64::INFINITY, |it| it.gap);
+            self.agents.follow([from, to], &|_| 0.0, gap);
+        }
         self.closest_agents([from, to], poses, [begin, end]);
         if !obstacles.is_empty() {
             self.closest_walls([from, to], obstacles, poses, [begin, end]);

@@ -1,6 +1,6 @@
 //! What meets at one time: the bodies, and the spots where they touch.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use super::super::blow::{Cluster, Spot, Struck};
 use super::super::meet::tolerance;
@@ -16,6 +16,7 @@ pub(super) struct Strike<'s, 'a, const D: usize> {
     pub(super) time: f64,
     /// The agents of the cluster, in its order.
     pub(super) agents: Vec<usize>,
+    pub(super) places: HashMap<usize, usize>,
     pub(super) pairs: Vec<Pair>,
     pub(super) founds: Vec<Separation<D>>,
     pub(super) known: BTreeSet<Pair>,
@@ -24,8 +25,8 @@ pub(super) struct Strike<'s, 'a, const D: usize> {
 impl<const D: usize> Strike<'_, '_, D> {
     /// The place of an agent in the cluster.
     fn body(&mut self, cluster: &mut Cluster<D>, agent: usize) -> usize {
-        if let Some(place) = self.agents.iter().position(|&it| it == agent) {
-            return place;
+        if let Some(place) = self.places.get(&agent) {
+            return *place;
         }
         let roster = self.sweep.roster;
         let way = self.sweep.way(agent);
@@ -35,6 +36,7 @@ impl<const D: usize> Strike<'_, '_, D> {
             inverse_mass: roster.inverse_mass[agent],
             inverse_inertia: roster.inverse_inertia(agent, &way.rotation_at(self.time)),
         });
+        self.places.insert(agent, self.agents.len());
         self.agents.push(agent);
         self.agents.len() - 1
     }
@@ -122,18 +124,9 @@ impl<const D: usize> Strike<'_, '_, D> {
     /// Adds all that a body touches.
     pub(super) fn ask(&mut self, cluster: &mut Cluster<D>, body: usize) {
         let agent = self.agents[body];
-        for pair in self.sweep.candidates(agent, false, false) {
+        for pair in self.sweep.candidates(agent) {
             self.add(cluster, pair, false);
         }
-    }
-
-    /// The normal impulse of each pair so far.
-    pub(super) fn impulses(&self, cluster: &Cluster<D>) -> Vec<f64> {
-        let mut sums = vec![0.0; self.pairs.len()];
-        for spot in &cluster.spots {
-            sums[spot.pair] += spot.normal_impulse;
-        }
-        sums
     }
 
     /// Lets lean on each other what would come back within the step, or all: gives the bodies the
