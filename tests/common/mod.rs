@@ -384,6 +384,21 @@ impl Dice {
         low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
+    /// Between two numbers above 0, with even chances for each magnitude.
+    pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.between(0.0, 1.0))
+    }
+
+    /// A unit vector.
+    pub fn direction<const D: usize>(&mut self) -> Vector<D> {
+        loop {
+            let at: Vector<D> = self.vector(-1.0, 1.0);
+            if (0.1..1.0).contains(&at.norm()) {
+                return at.normalize();
+            }
+        }
+    }
+
     /// Uniform in a box.
     pub fn vector<const D: usize>(&mut self, low: f64, high: f64) -> Vector<D> {
         Vector::from_fn(|_, _| self.between(low, high))

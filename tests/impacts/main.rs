@@ -2,7 +2,6 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-mod dice;
 mod friction;
 mod pairs;
 mod shapes;

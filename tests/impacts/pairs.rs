@@ -5,7 +5,7 @@ use volary::dynamics::{Engine, Touched};
 use volary::math::Vector;
 use volary::shape::In;
 
-use crate::dice::Dice;
+use crate::common::Dice;
 use crate::{list, run};
 
 const STEPS: usize = 8;

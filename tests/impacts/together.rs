@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use volary::math::Vector;
 
-use crate::dice::Dice;
+use crate::common::Dice;
 use crate::{Run, list, run};
 
 /// Disks of radius ½ and mass 1 at some places, with some velocities.
@@ -92,7 +92,7 @@ fn a_break_of_fifteen_keeps_energy_momentum_and_symmetry() {
 fn bounces_never_add_energy() {
     for seed in 0..40 {
         let mut dice = Dice(seed);
-        let restitutions = [dice.share(), dice.share()];
+        let restitutions = [dice.between(0.0, 1.0), dice.between(0.0, 1.0)];
         let group = |restitution: f64, mass: f64, places: &[[f64; 2]], dice: &mut Dice| {
             let velocities: Vec<_> = places
                 .iter()
