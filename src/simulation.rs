@@ -208,8 +208,8 @@ impl<const D: usize> Simulation<D> {
     }
 
     /// The last part of [`Simulation::run`]: records the last state, the contacts that are
-    /// still open, and the summary. Of a run that was stopped the last frame has neither `net`
-    /// nor `laws`.
+    /// still open, and the summary. Of a run that was asked to stop ([`Simulation::heed`]) the last
+    /// frame has neither `net` nor `laws`.
     ///
     /// # Errors
     /// Those of `record`.
@@ -222,7 +222,7 @@ impl<const D: usize> Simulation<D> {
         // A step that failed left the state before it, but not the engine's.
         if self.framed != Some(self.snapshot().step) {
             // Who stops a run waits for no analysis that takes long.
-            let frame = Record::Frame(self.frame(pause == Pause::Stopped));
+            let frame = Record::Frame(self.frame(self.stop.asked()));
             self.watches.trace.time(|| record(frame))?;
         }
         let overlaps = match failed {

@@ -10,7 +10,7 @@
 
 mod common;
 
-use common::spec;
+use common::{Dice, spec};
 use serde_json::{Value, json};
 use volary::dynamics::{Bodies, Engine};
 use volary::law::{Flock, build};
@@ -22,32 +22,6 @@ const LANES: usize = 50;
 const APART: f64 = 1_000.0;
 const RADIUS: f64 = 0.5;
 const STEP: f64 = 0.01;
-
-/// A stream of random numbers: splitmix64.
-struct Dice(u64);
-
-impl Dice {
-    fn share(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.share()
-    }
-
-    fn direction<const D: usize>(&mut self) -> Vector<D> {
-        loop {
-            let at = Vector::<D>::from_fn(|_, _| self.between(-1.0, 1.0));
-            if (0.1..1.0).contains(&at.norm()) {
-                return at.normalize();
-            }
-        }
-    }
-}
 
 fn list<const D: usize>(vector: &Vector<D>) -> Value {
     json!(vector.as_slice())
@@ -212,7 +186,9 @@ where
     let place = |lane: usize| axis::<D>(1) * (APART * lane as f64);
 
     // Lanes by kind: pairs of balls, fixed walls, moving walls.
-    let kinds: Vec<usize> = (0..LANES).map(|_| (dice.share() * 8.0) as usize).collect();
+    let kinds: Vec<usize> = (0..LANES)
+        .map(|_| (dice.between(0.0, 1.0) * 8.0) as usize)
+        .collect();
     let mut obstacles = Vec::new();
     let mut wall_of = vec![None; LANES];
     // The share of the relative speed that is the wall's.
@@ -226,10 +202,10 @@ where
         let mut wall = json!({ "shape": wall::<D>(kind, &mut dice), "position": list(&at) });
         let turn = dice.direction::<3>() * dice.between(0.0, 3.0);
         wall["rotation"] = if D == 2 { json!(turn[2]) } else { list(&turn) };
-        if dice.share() < 0.5 {
+        if dice.between(0.0, 1.0) < 0.5 {
             share_of[lane] = dice.between(0.05, 0.95);
             let speed = share_of[lane] * fastest;
-            let which = (dice.share() * 4.0) as usize;
+            let which = (dice.between(0.0, 1.0) * 4.0) as usize;
             wall["motion"] = motion(which, speed, &at, &mut dice);
             if which == 3 {
                 wall.as_object_mut().expect("an object").remove("position");
@@ -268,8 +244,12 @@ where
                 let speed = dice.between(0.1, 1.0) * (1.0 - share_of[lane]) * fastest;
                 // Aimed at some point of the wall, corners and joints among them.
                 let pieces = pieces(&walls[wall]);
-                let piece = &pieces[(dice.share() * pieces.len() as f64) as usize % pieces.len()];
-                let mut weights: Vec<f64> = piece.iter().map(|_| dice.share().powi(3)).collect();
+                let piece =
+                    &pieces[(dice.between(0.0, 1.0) * pieces.len() as f64) as usize % pieces.len()];
+                let mut weights: Vec<f64> = piece
+                    .iter()
+                    .map(|_| dice.between(0.0, 1.0).powi(3))
+                    .collect();
                 let total: f64 = weights.iter().sum();
                 weights.iter_mut().for_each(|weight| *weight /= total);
                 let target: Vector<D> = piece.iter().zip(&weights).map(|(at, w)| at * *w).sum();

@@ -5,9 +5,7 @@
 //! set but the angular velocity that the body begins the step with, and contacts are solved
 //! from there.
 //!
-//! The engine's rotations are of first order in the step: a torque is taken at the start of
-//! the step, and an angular velocity ω turns a body by arctan(ωh), not ωh, in a substep
-//! h. It turns no body by more than a quarter of a full turn in a step.
+//! Torques are of first order in the step: each is taken at the start of the step.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +14,9 @@ use crate::dynamics::{Physics, Steering};
 use crate::math::{Matrix, Vector, axis, direction};
 use crate::world::World;
 use crate::world::spec::{HeadingSpec, TorqueSpec};
+
+/// The largest angle by which a heading is turned to the velocity in a step.
+const MOST_IN_A_STEP: f64 = std::f64::consts::FRAC_PI_4;
 
 /// The attitudes of all bodies; each list has one entry for each agent.
 pub(super) struct Attitudes<const D: usize> {
@@ -70,7 +71,8 @@ impl<const D: usize> Attitudes<D> {
             None => Rule::Torque(TorqueSpec::default()),
             Some(HeadingSpec::Torque(torque)) => Rule::Torque(torque.clone()),
             Some(HeadingSpec::Velocity(turn)) => {
-                Rule::Turn(turn.turn_rate.unwrap_or(f64::INFINITY))
+                let rate = turn.turn_rate.unwrap_or(f64::INFINITY);
+                Rule::Turn(rate.min(MOST_IN_A_STEP / world.spec.time.step))
             }
             Some(HeadingSpec::Free | HeadingSpec::Fixed) => Rule::None,
         });

@@ -3,6 +3,8 @@
 
 #[path = "rapier/contacts.rs"]
 mod contacts;
+#[path = "rapier/turning.rs"]
+mod turning;
 #[path = "rapier/units.rs"]
 mod units;
 
@@ -12,7 +14,7 @@ use super::rapier::math::Vector as RapierVector;
 use super::rapier::prelude::{
     ActiveHooks, ColliderBuilder, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
-use super::{D, angular, geometry, matrix, spin, weight, without_gyration};
+use super::{D, angular, geometry, matrix, rotation, spin, weight, without_gyration};
 use crate::dynamics::contact::{Change, can_turn, has_friction};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Unusable};
 use crate::math::{Matrix, Vector};
@@ -20,6 +22,7 @@ use crate::parallel::{CHUNK, for_each};
 use crate::shape::{In, Pose};
 use crate::world::World;
 use contacts::Surfaces;
+use turning::lacking;
 use units::Units;
 
 /// Highest speed the engine lets a body have, so high that it never shows.
@@ -61,6 +64,8 @@ fn agent(
         .pose(units.pose(&pose))
         .linvel(units.length(&agents.velocities[i]))
         .can_sleep(false)
+        // A blow may set it spinning as fast as it will.
+        .allow_fast_rotation(true)
         .user_data(i as u128);
     if !can_turn(world, agents.group[i], friction) {
         body = body.lock_rotations();
@@ -90,6 +95,8 @@ fn agent(
 struct Rapier {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
+    /// The agents that can turn.
+    turning: Vec<RigidBodyHandle>,
     /// The obstacles that move, by index, and their bodies.
     moving: Vec<(usize, RigidBodyHandle)>,
     surfaces: Surfaces,
@@ -174,7 +181,11 @@ impl Rapier {
         }
         let obstacles = bodies.split_off(agents).into_iter().enumerate();
         let bodies = bodies.into_iter().collect::<Option<Vec<_>>>()?;
+        let friction = has_friction(world);
+        let groups = bodies.iter().zip(&world.agents.group);
+        let turning = groups.filter(|(_, group)| can_turn(world, **group, friction));
         Some(Self {
+            turning: turning.map(|(handle, _)| *handle).collect(),
             moving: obstacles
                 .filter_map(|(index, body)| Some((index, body?)))
                 .collect(),
@@ -193,6 +204,23 @@ impl Rapier {
                 lasting: Vec::new(),
             },
         })
+    }
+
+    /// Turns bodies on by what the engine's turning lacks. Its colliders follow with the next
+    /// step, for the little that it is.
+    fn turn_on(&mut self) {
+        let parameters = &self.world.integration_parameters;
+        let substeps = parameters.num_solver_iterations;
+        let substep = parameters.dt / substeps as f64;
+        for handle in &self.turning {
+            let spin = spin(self.world.bodies[*handle].angvel());
+            if let Some((axis, angle)) = lacking(&spin, substep, substeps) {
+                let body = &mut self.world.bodies[*handle];
+                let stands = Pose::from_matrix(Vector::zeros(), matrix(body.rotation()));
+                let turned = stands.turned(&Vector::zeros(), axis, angle);
+                body.set_rotation(rotation(turned.rotation()), false);
+            }
+        }
     }
 
     /// Spares the engine to look at every agent before every step. It keeps a list of the
@@ -285,6 +313,7 @@ impl Physics<D> for Rapier {
         self.surfaces.lasting.extend_from_slice(drive.lasting);
         self.world.step_with_events(&self.surfaces, &());
         self.settle();
+        self.turn_on();
         // Exactly where they are to be: the engine's own steps would drift away.
         for (index, handle) in &self.moving {
             if let Some(obstacle) = drive.obstacles.get(*index) {

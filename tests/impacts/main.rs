@@ -3,8 +3,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod friction;
+mod gas;
 mod pairs;
+mod scales;
 mod shapes;
+mod solids;
 mod together;
 mod walls;
 

@@ -189,34 +189,3 @@ fn an_elastic_ball_keeps_its_height_for_a_hundred_bounces() {
         assert!((height - 2.0).abs() < 1e-8, "{step}: {height}");
     }
 }
-
-#[test]
-fn a_gas_keeps_its_energy() {
-    let mut dice = Dice(3);
-    let side = 34.0;
-    let places: Vec<[f64; 2]> = (0..14 * 14)
-        .map(|k| [1.2 + 2.4 * f64::from(k % 14), 1.2 + 2.4 * f64::from(k / 14)])
-        .collect();
-    let velocities: Vec<_> = places
-        .iter()
-        .map(|_| list(&(dice.direction::<2>() * 2.0)))
-        .collect();
-    let world = json!({
-        "dimension": 2, "time": { "end": 100 }, "physics": { "restitution": 1 },
-        "agents": [{
-            "radius": 0.5,
-            "positions": { "explicit": places }, "velocities": { "explicit": velocities }
-        }],
-        "obstacles": [{ "shape": { "room": { "half_extents": [side / 2.0, side / 2.0] } }, "position": [17, 17] }]
-    });
-    let run = run::<2>(world, 2_000);
-    let energy = energy(&run);
-    let expected = 2.0 * places.len() as f64;
-    assert!(
-        (energy / expected - 1.0).abs() < 1e-9,
-        "{energy} of {expected}"
-    );
-    assert!(run.blows().len() > 1_000);
-    let deepest = run.touches.iter().map(|it| it.gap).fold(0.0, f64::min);
-    assert!(deepest > -1e-9, "{deepest}");
-}

@@ -9,10 +9,16 @@
 //! simultaneous impact", 2012). No round adds energy, and with e = 1 none is lost.
 //!
 //! Each round ends with friction: an impulse against sliding at each spot, as large as it takes
-//! to stop it, but at most μ times the normal impulse of the round (Coulomb).
+//! to stop it, but at most μ times the normal impulse of the round (Coulomb). Where nothing
+//! bounces, normal impulses and friction are found together.
+
+mod friction;
+#[cfg(test)]
+mod tests;
 
 use super::way::{embed, project};
 use crate::math::{Matrix, Vector};
+use friction::Rub;
 
 /// Rounds of bounces after which all spots of a cluster are stopped together.
 const ROUNDS: usize = 300;
@@ -25,8 +31,9 @@ const PATIENT: usize = 40;
 const FEW: (usize, usize) = (12, 2000);
 const PASSES: usize = 60;
 
-/// Passes of friction, at most, where spots share bodies.
-const RUBS: usize = 50;
+/// Share of the highest speed below which approach in a crowd that does not bounce is left to
+/// the next step.
+const PRESSED: f64 = 1e-4;
 
 /// A body struck.
 #[derive(Debug, Clone)]
@@ -52,6 +59,8 @@ pub(super) struct Spot<const D: usize> {
     pub(super) surface: Vector<D>,
     pub(super) restitution: f64,
     pub(super) friction: f64,
+    /// The speed of approach that is left to the engine.
+    pub(super) slow: f64,
     /// Whose spot it is, for those who ask.
     pub(super) pair: usize,
     /// Normal and friction impulse so far.
@@ -96,11 +105,7 @@ impl<const D: usize> Cluster<D> {
                     asked.resize(self.bodies.len(), false);
                 }
             }
-            let patience = if round < PATIENT { 1.0 } else { 1e7 };
-            let least = self.least() * patience;
-            let approach: Vec<usize> = (0..self.spots.len())
-                .filter(|&k| self.separation(k) < -least)
-                .collect();
+            let approach = self.approaching(round >= PATIENT);
             if approach.is_empty() {
                 return;
             }
@@ -140,11 +145,7 @@ impl<const D: usize> Cluster<D> {
     pub(super) fn stop(&mut self) {
         let mut together: Vec<usize> = Vec::new();
         for round in 0..PATIENT {
-            let patience = if round < PATIENT / 4 { 1.0 } else { 1e7 };
-            let least = self.least() * patience;
-            let more: Vec<usize> = (0..self.spots.len())
-                .filter(|&k| self.separation(k) < -least)
-                .collect();
+            let more = self.approaching(round >= PATIENT / 4);
             if more.is_empty() {
                 return;
             }
@@ -154,6 +155,41 @@ impl<const D: usize> Cluster<D> {
             let wanted = vec![0.0; together.len()];
             self.turn_back(&together, &wanted);
         }
+    }
+
+    /// The spots that approach each other, faster than is passed over: to rounding, or where
+    /// patience is over, or many spots press each other, what the next steps may do.
+    fn approaching(&mut self, late: bool) -> Vec<usize> {
+        let least = self.least() * if late { 1e7 } else { 1.0 };
+        let pressed = match self.is_crowd() {
+            true => least.max(PRESSED * self.fastest),
+            false => least,
+        };
+        (0..self.spots.len())
+            .filter(|&k| {
+                let spot = &self.spots[k];
+                let least = if spot.restitution > 0.0 {
+                    least
+                } else {
+                    pressed
+                };
+                self.separation(k) < -least.max(spot.slow)
+            })
+            .collect()
+    }
+
+    /// Whether so many spots touch that they settle roughly.
+    fn is_crowd(&self) -> bool {
+        self.spots.len() > FEW.0
+    }
+
+    /// Whether a spot of a crowd is left to the next step as it is: it does not bounce, and hardly
+    /// approaches.
+    pub(super) fn is_left(&self, spot: usize) -> bool {
+        let it = &self.spots[spot];
+        self.is_crowd()
+            && it.restitution == 0.0
+            && self.separation(spot) >= -2.0 * PRESSED * self.fastest
     }
 
     /// What the spots of each of some pairs came to so far.
@@ -212,16 +248,24 @@ impl<const D: usize> Cluster<D> {
         for &k in spots {
             self.spots[k].approach = self.spots[k].approach.max(-self.separation(k));
         }
+        if wanted.iter().all(|wanted| *wanted == 0.0) {
+            // Without a bounce, friction is that of all that pushes while it stops.
+            let mut rubs = self.rough(spots);
+            let impulses = self.settle(spots, wanted, &mut rubs);
+            self.enter(spots, &impulses);
+            self.rubbed(&rubs);
+            return;
+        }
         let before = self.velocities();
         let energy = self.energy();
-        let mut impulses = self.settle(spots, wanted);
+        let mut impulses = self.settle(spots, wanted, &mut []);
         let moved = spots.iter().any(|&k| self.spots[k].surface.amax() > 0.0);
         if spots.len() > 1 && !moved && self.energy() > energy * (1.0 + 1e-9) {
             // Restitutions that differ can add energy. Between this outcome and the one without
             // any bounce, which never does, there is one that keeps it.
             let bounced = (self.velocities(), impulses);
             self.set(&before);
-            let stopped = self.settle(spots, &vec![0.0; spots.len()]);
+            let stopped = self.settle(spots, &vec![0.0; spots.len()], &mut []);
             let stopped = (self.velocities(), stopped);
             let mix = |share: f64, cluster: &mut Self| {
                 for (k, body) in cluster.bodies.iter_mut().enumerate() {
@@ -244,14 +288,19 @@ impl<const D: usize> Cluster<D> {
             let pairs = stopped.1.iter().zip(&bounced.1);
             impulses = pairs.map(|(a, b)| a + (b - a) * low).collect();
         }
-        for (&k, impulse) in spots.iter().zip(&impulses) {
-            self.spots[k].normal_impulse += impulse;
-        }
+        self.enter(spots, &impulses);
         self.rub(spots, &impulses);
     }
 
-    /// Normal impulses J with 0 ≤ J ⟂ u − wanted ≥ 0, applied.
-    fn settle(&mut self, spots: &[usize], wanted: &[f64]) -> Vec<f64> {
+    /// Enters what normal impulses came to.
+    fn enter(&mut self, spots: &[usize], impulses: &[f64]) {
+        for (&k, impulse) in spots.iter().zip(impulses) {
+            self.spots[k].normal_impulse += impulse;
+        }
+    }
+
+    /// Normal impulses J with 0 ≤ J ⟂ u − wanted ≥ 0, applied, and friction with them.
+    fn settle(&mut self, spots: &[usize], wanted: &[f64], rubs: &mut [Rub<D>]) -> Vec<f64> {
         let mut impulses = vec![0.0; spots.len()];
         let yields: Vec<f64> = spots
             .iter()
@@ -260,10 +309,11 @@ impl<const D: usize> Cluster<D> {
                     .dot(&self.spots[k].normal)
             })
             .collect();
-        let exact = 1e-2 * self.least();
-        let passes = match spots.len() <= FEW.0 {
-            true => FEW.1,
-            false => PASSES,
+        let (exact, passes) = match (spots.len() <= FEW.0, rubs.is_empty()) {
+            (true, true) => (1e-2 * self.least(), FEW.1),
+            (true, false) => (0.1 * self.least(), FEW.1),
+            (false, true) => (1e-2 * self.least(), PASSES),
+            (false, false) => (0.1 * PRESSED * self.least().max(self.fastest), PASSES),
         };
         for _ in 0..passes {
             let mut largest = 0.0f64;
@@ -278,88 +328,16 @@ impl<const D: usize> Cluster<D> {
                     largest = largest.max((change * yields[place]).abs());
                 }
             }
-            if spots.len() == 1 || largest <= exact {
+            if !rubs.is_empty() {
+                largest = largest.max(self.rub_once(rubs, &impulses));
+            } else if spots.len() == 1 {
+                break;
+            }
+            if largest <= exact {
                 break;
             }
         }
         impulses
-    }
-
-    /// Friction against sliding, with these normal impulses.
-    fn rub(&mut self, spots: &[usize], impulses: &[f64]) {
-        let rough: Vec<(usize, f64)> = spots
-            .iter()
-            .zip(impulses)
-            .filter(|&(&k, &impulse)| impulse > 0.0 && self.spots[k].friction > 0.0)
-            .map(|(&k, &impulse)| (k, impulse * self.spots[k].friction))
-            .collect();
-        if rough.is_empty() {
-            return;
-        }
-        // Spots of one body would overdo it together if each did its own at once; one after the
-        // other, mirror images would not stay so.
-        let mut shared = vec![0u32; self.bodies.len()];
-        for &(k, _) in &rough {
-            let spot = &self.spots[k];
-            shared[spot.one] += 1;
-            spot.other.into_iter().for_each(|other| shared[other] += 1);
-        }
-        let share = 1.0 / f64::from(shared.into_iter().max().unwrap_or(1));
-        let mut rubs = vec![Vector::zeros(); rough.len()];
-        let exact = self.least();
-        for _ in 0..RUBS {
-            let mut largest = 0.0f64;
-            let mut pushes = Vec::with_capacity(rough.len());
-            for (&(k, limit), rubbed) in rough.iter().zip(&mut rubs) {
-                let normal = self.spots[k].normal;
-                let slip = self.slip(k);
-                let slip = slip - normal * slip.dot(&normal);
-                let stopping = self.stopping(k, &slip);
-                let wanted: Vector<D> = *rubbed + stopping * share;
-                let length = wanted.norm();
-                let wanted = match length > limit {
-                    true => wanted * (limit / length),
-                    false => wanted,
-                };
-                pushes.push((k, wanted - *rubbed));
-                *rubbed = wanted;
-            }
-            for (k, push) in pushes {
-                let change = self.give(k, &push);
-                largest = largest.max(change.amax());
-                self.push(k, &push);
-            }
-            if rough.len() == 1 || largest <= exact {
-                break;
-            }
-        }
-        for ((k, _), rubbed) in rough.iter().zip(&rubs) {
-            self.spots[*k].friction_impulse += rubbed.norm();
-        }
-    }
-
-    /// The impulse on the one body that stops sliding at a spot.
-    fn stopping(&self, spot: usize, slip: &Vector<D>) -> Vector<D> {
-        let normal = self.spots[spot].normal;
-        let across = |v: Vector<D>| v - normal * v.dot(&normal);
-        // In the plane, and for balls, the give is along the push. Elsewhere a few steps of
-        // conjugate gradients find it: the sliding has D − 1 dimensions.
-        let mut impulse = Vector::zeros();
-        let mut rest = -slip;
-        let mut along = rest;
-        for _ in 1..D {
-            let left = rest.norm_squared();
-            let give = across(self.give(spot, &along));
-            let curvature = give.dot(&along);
-            if curvature <= 0.0 || left == 0.0 {
-                break;
-            }
-            let length = left / curvature;
-            impulse += along * length;
-            rest -= give * length;
-            along = rest + along * (rest.norm_squared() / left);
-        }
-        impulse
     }
 
     /// By how much an impulse on the one body at a spot, and its opposite on the other, change
@@ -429,81 +407,5 @@ impl<const D: usize> Cluster<D> {
             0.5 * (moving + turning)
         };
         self.bodies.iter().map(of).sum()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn body(x: f64, inverse_mass: f64) -> Struck<2> {
-        Struck {
-            velocity: Vector::<2>::new(x, 0.0),
-            spin: Vector::zeros(),
-            inverse_mass,
-            inverse_inertia: Matrix::zeros(),
-        }
-    }
-
-    fn spot(one: usize, other: Option<usize>, restitution: f64) -> Spot<2> {
-        Spot {
-            one,
-            other,
-            arms: [Vector::zeros(); 2],
-            normal: Vector::<2>::new(1.0, 0.0),
-            surface: Vector::zeros(),
-            restitution,
-            friction: 0.0,
-            pair: 0,
-            normal_impulse: 0.0,
-            friction_impulse: 0.0,
-            approach: f64::NEG_INFINITY,
-        }
-    }
-
-    fn row(velocities: &[f64], wall: bool, restitution: f64) -> Cluster<2> {
-        let last = velocities.len() - 1;
-        let between = (0..last).map(|k| spot(k, Some(k + 1), restitution));
-        Cluster {
-            bodies: velocities.iter().map(|&x| body(x, 1.0)).collect(),
-            spots: between
-                .chain(wall.then(|| spot(last, None, restitution)))
-                .collect(),
-            unordered: false,
-            fastest: 0.0,
-        }
-    }
-
-    fn speeds(cluster: &Cluster<2>) -> Vec<f64> {
-        cluster.bodies.iter().map(|body| body.velocity.x).collect()
-    }
-
-    #[test]
-    fn a_blow_runs_through_a_row() {
-        let mut cluster = row(&[1.0, 0.0, 0.0, 0.0], false, 1.0);
-        cluster.bounce(|_, _| {});
-        assert_eq!(speeds(&cluster), [0.0, 0.0, 0.0, 1.0]);
-        // Against a wall it comes back.
-        let mut cluster = row(&[1.0, 0.0, 0.0], true, 1.0);
-        cluster.bounce(|_, _| {});
-        assert_eq!(speeds(&cluster), [-1.0, 0.0, 0.0]);
-    }
-
-    #[test]
-    fn what_does_not_bounce_stops_at_a_wall_in_few_rounds() {
-        let mut cluster = row(&[1.0, 0.0, 0.0], true, 0.0);
-        let mut rounds = 0;
-        cluster.bounce(|_, _| rounds += 1);
-        assert!(speeds(&cluster).iter().all(|speed| speed.abs() < 1e-12));
-        assert!(!cluster.unordered);
-        let impulse: f64 = cluster.spots[2].normal_impulse;
-        assert!((impulse - 1.0).abs() < 1e-12, "{impulse}");
-    }
-
-    #[test]
-    fn stopping_is_inelastic() {
-        let mut cluster = row(&[3.0, 0.0], false, 1.0);
-        cluster.stop();
-        assert_eq!(speeds(&cluster), [1.5, 1.5]);
     }
 }

@@ -17,7 +17,7 @@ use crate::world::World;
 
 /// Share of a body's size up to which a pair that the engine holds may part and still be held;
 /// and the share that the one may move against the other in a step.
-const HELD: (f64, f64) = (1e-3, 1e-2);
+pub(super) const HELD: (f64, f64) = (1e-3, 1e-2);
 
 /// What contacts must know between two steps to go on bit for bit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -219,8 +219,12 @@ impl<const D: usize> Contacts<D> {
         let approach = against.dot(&found.normal);
         let pull = acceleration.dot(&found.normal);
         let known = engine && self.state.lasting.binary_search(&pair).is_ok();
-        if known && against.norm() * start.step <= HELD.1 * size {
-            return found.gap <= HELD.0 * size && self.is_exposed(pair, &found, start);
+        let (most, slow) = (HELD.0 * size, HELD.1 * size / start.step);
+        if known && approach <= slow && found.gap <= most {
+            let stays = found.gap <= 0.0 || against.norm() <= slow;
+            if stays {
+                return self.is_exposed(pair, &found, start);
+            }
         }
         if found.gap > 4.0 * tolerance(size, &found.points[0]) {
             return false;
@@ -271,6 +275,9 @@ impl<const D: usize> Contacts<D> {
         let swept = Sweep::new(&self.roster, flight, near, [&self.engine, &self.leaning]).run();
         self.state.strain.unordered += u64::from(swept.unordered);
         self.strayed = swept.strayed;
+        self.state.lasting.extend(swept.left);
+        self.state.lasting.sort_unstable();
+        self.state.lasting.dedup();
         touches.extend(swept.touches);
         swept.changes
     }

@@ -47,7 +47,8 @@ impl<const D: usize> Flight<'_, D> {
             None => (Matrix::identity(), Vector::zeros(), Vector::zeros()),
             Some((before, _, spins)) if ball => (before[agent], spins[agent], spins[agent]),
             Some((before, after, spins)) => {
-                let turning = rate_between(&before[agent], &after[agent], self.step);
+                let short = rate_between(&before[agent], &after[agent], self.step);
+                let turning = whole_turns(short, &spins[agent], self.step);
                 (before[agent], spins[agent], turning)
             }
         };
@@ -108,5 +109,33 @@ impl<const D: usize> Flight<'_, D> {
             .norm()
             .max(twist.at(&it.pose.translation).norm());
         2.0 * straight * self.step + swing * reach
+    }
+}
+
+/// A rate of turning that leads the short way, or one that takes as many whole turns more as an
+/// angular velocity tells.
+fn whole_turns(short: Vector<3>, spin: &Vector<3>, step: f64) -> Vector<3> {
+    let rate = spin.norm();
+    // Most bodies turn far less.
+    if rate * step < 2.0 {
+        return short;
+    }
+    let axis = spin / rate;
+    let turn = std::f64::consts::TAU / step;
+    short + axis * (((spin - short).dot(&axis) / turn).round() * turn)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fast_spins_take_whole_turns() {
+        let spin = Vector::<3>::new(0.0, 0.0, -1000.0);
+        // Ten radians back are 2.57 on, the short way.
+        let short = Vector::<3>::new(0.0, 0.0, (2.0 * std::f64::consts::TAU - 10.0) / 0.01);
+        assert!((whole_turns(short, &spin, 0.01) - spin).norm() < 1e-9);
+        let slow = Vector::<3>::new(0.0, 3.0, 0.0);
+        assert_eq!(whole_turns(slow, &slow, 0.01), slow);
     }
 }

@@ -13,14 +13,18 @@ use crate::shape::Separation;
 
 /// Steps that a search takes at most. One that is not over by then has found no meeting: what
 /// it leaves overlapping is found at the start of the next step.
-const STEPS: usize = 200;
+const STEPS: usize = 1000;
 
-/// Parts of the rest of a step at which surfaces that slide along each other are looked at.
+/// Parts of the rest of a step at which surfaces that are near each other, or slide along each
+/// other, are looked at.
 const SLIDING: f64 = 16.0;
 
 /// Share of the size from which on a step is taken by the speed of the nearest points
 /// themselves; it may end too late, and the meeting is then between.
 const NEAR: f64 = 1e-2;
+
+/// Share of a part of a step below which sliding is not looked at more closely.
+const SHORTEST: f64 = 1e-6;
 
 /// Two bodies on their ways.
 pub(super) struct Pair<'a, const D: usize> {
@@ -30,6 +34,9 @@ pub(super) struct Pair<'a, const D: usize> {
     pub(super) reaches: [f64; 2],
     /// Size of the smaller one.
     pub(super) size: f64,
+    /// Whether they bounce. Those that do not may stay at each other, and are looked at less closely
+    /// while they do.
+    pub(super) bounces: bool,
 }
 
 /// What surfaces that are no farther apart than rounding tells are taken for: touching.
@@ -79,7 +86,7 @@ impl<const D: usize> Pair<'_, D> {
             let tolerance = tolerance(self.size, &found.points[0]);
             let speed = (one.velocity_at(time) - other.velocity_at(time)).dot(&found.normal);
             let pull = acceleration.dot(&found.normal);
-            let step = if found.gap <= tolerance {
+            if found.gap <= tolerance {
                 let approach = self.approach(&found, time);
                 if approach > self.least(time) && counts(time, &found) {
                     return Some((time, found));
@@ -87,55 +94,138 @@ impl<const D: usize> Pair<'_, D> {
                 if approach <= 0.0 && pull <= 0.0 && swing == 0.0 {
                     return None;
                 }
-                (end - from) / SLIDING
+                let part = (end - from) / SLIDING;
+                let range = [time, (time + part).min(end)];
+                (time, found) = self.slide(range, (&found, tolerance), &separation);
             } else {
                 let gap = found.gap - 0.5 * tolerance;
+                let step = first_root(gap, speed + swing, pull)?;
                 if swing > 0.0 && found.gap < NEAR * self.size {
                     let newton = first_root(gap, self.approach(&found, time), pull);
-                    if let Some(sooner) = newton.filter(|step| time + step <= end) {
-                        let (there, then) =
-                            self.between(time, time + sooner, tolerance, &separation);
-                        (time, found) = (there, then);
-                        continue;
+                    let part = (end - from) / SLIDING;
+                    let farthest = time + newton.unwrap_or(part).min(part).max(step);
+                    let range = [time, farthest.min(end)];
+                    let here = (&found, tolerance);
+                    (time, found) = self.between(range, here, &separation);
+                    if time >= end && found.gap > tolerance {
+                        return None;
                     }
+                    continue;
                 }
-                first_root(gap, speed + swing, pull)?
-            };
-            // A step too short to be told from none must not be taken for ever.
-            time += step.max(f64::EPSILON * end);
-            if time > end {
+                // A step too short to be told from none must not be taken for ever.
+                time += step.max(f64::EPSILON * end);
+                found = separation(time);
+            }
+            if time >= end {
                 return None;
             }
-            found = separation(time);
         }
         None
     }
 
-    /// A time after `from` and up to `to` at which the gap is not yet used up, or just is.
-    fn between(
+    /// A later time at which surfaces that touch do so still, or no longer; sooner than the last
+    /// one where they would sink into each other meanwhile.
+    fn slide(
         &self,
-        from: f64,
-        to: f64,
-        tolerance: f64,
+        [from, to]: [f64; 2],
+        (found, tolerance): (&Separation<D>, f64),
         separation: &impl Fn(f64) -> Separation<D>,
     ) -> (f64, Separation<D>) {
-        let found = separation(to);
-        if found.gap >= -tolerance {
-            return (to, found);
+        let loose = !self.bounces || found.gap < -tolerance;
+        let mut part = to - from;
+        loop {
+            let then = separation(from + part);
+            if loose || then.gap >= -tolerance || part <= SHORTEST * (to - from) {
+                return (from + part, then);
+            }
+            // They sink in with the square of the time.
+            part *= (0.8 * (tolerance / -then.gap).sqrt()).min(0.5);
         }
-        let (mut low, mut high) = (from, to);
+    }
+
+    /// A time in a range, after its start, at which the gap that is found there is not yet used up,
+    /// or just is.
+    fn between(
+        &self,
+        [from, to]: [f64; 2],
+        (before, tolerance): (&Separation<D>, f64),
+        separation: &impl Fn(f64) -> Separation<D>,
+    ) -> (f64, Separation<D>) {
+        let after = separation(to);
+        let (mut high, mut sunk) = (to, after.gap);
+        if after.gap >= -tolerance {
+            if after.gap <= tolerance || !self.dips([from, to], [before, &after]) {
+                return (to, after);
+            }
+            // They were nearer to each other meanwhile.
+            match self.nearest([from, to], tolerance, separation) {
+                Some(nearest) => (high, sunk) = nearest,
+                None => return (to, after),
+            }
+        }
+        // False position, halving the end that stays (the Illinois rule).
+        let (mut low, mut clear) = (from, before.gap);
+        let mut stays = 0.0;
         while high - low > f64::EPSILON * high {
-            let middle = 0.5 * (low + high);
+            let guess = low + (high - low) * (clear / (clear - sunk));
+            let middle = match guess > low && guess < high {
+                true => guess,
+                false => 0.5 * (low + high),
+            };
             let found = separation(middle);
             if found.gap.abs() <= tolerance {
                 return (middle, found);
             }
-            match found.gap > 0.0 {
+            if found.gap > 0.0 {
+                (low, clear) = (middle, found.gap);
+                sunk *= if stays > 0.0 { 0.5 } else { 1.0 };
+            } else {
+                (high, sunk) = (middle, found.gap);
+                clear *= if stays < 0.0 { 0.5 } else { 1.0 };
+            }
+            stays = found.gap;
+            if middle == low && middle == high {
+                break;
+            }
+        }
+        (high, separation(high))
+    }
+
+    /// Whether surfaces that are apart at both ends of a range may meet in it: where they approach
+    /// each other at its start and part at its end, so that the tangents of the gap, less what
+    /// turning may bend it, come to nothing.
+    fn dips(&self, [from, to]: [f64; 2], [before, after]: [&Separation<D>; 2]) -> bool {
+        let (falls, rises) = (self.approach(before, from), -self.approach(after, to));
+        if falls <= 0.0 || rises <= 0.0 {
+            return false;
+        }
+        let part = to - from;
+        let meet = (before.gap - after.gap + rises * part) / (falls + rises);
+        let bends = |k: usize| self.ways[k].turning.norm_squared() * self.reaches[k];
+        let bent = 0.5 * (bends(0) + bends(1)) * part * part;
+        before.gap - falls * meet.clamp(0.0, part) <= bent
+    }
+
+    /// A time in a range, at whose start surfaces approach each other and at whose end they part,
+    /// when they overlap, and the gap then.
+    fn nearest(
+        &self,
+        [mut low, mut high]: [f64; 2],
+        tolerance: f64,
+        separation: &impl Fn(f64) -> Separation<D>,
+    ) -> Option<(f64, f64)> {
+        while high - low > 1e-9 * high {
+            let middle = 0.5 * (low + high);
+            let found = separation(middle);
+            if found.gap < -tolerance {
+                return Some((middle, found.gap));
+            }
+            match self.approach(&found, middle) > 0.0 {
                 true => low = middle,
                 false => high = middle,
             }
         }
-        (high, separation(high))
+        None
     }
 }
 

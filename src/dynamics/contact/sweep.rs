@@ -7,25 +7,30 @@
 //! approaches is stopped, with friction. So do bodies that lean on walls alone, from the start of
 //! the step on. Where agents lean on each other, the engine holds them from the next step on.
 
+mod pairs;
 mod strike;
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap, HashMap};
 
 use super::blow::{Cluster, Impulse, Struck};
+use super::contacts::HELD;
 use super::flight::Flight;
-use super::meet::{Pair as Meeting, balls};
 use super::near;
 use super::pair::{Other, Pair};
 use super::roster::Roster;
 use super::way::Way;
 use super::{Touch, Touched};
 use crate::math::{Matrix, Vector};
-use crate::shape::{Separation, is_exposed};
+use crate::shape::Separation;
 use strike::Strike;
 
 /// Meetings in a step, for each agent, after which bounces are no longer followed.
-const MEETINGS: usize = 200;
+const MEETINGS: usize = 50;
+
+/// Blows of a body in a step after which its slow meetings are left to the engine: of those that
+/// do not bounce, and of those that do.
+const TIRED: (u32, u32) = (4, 20);
 
 /// A body that ends the step elsewhere than the engine put it.
 #[derive(Debug, Clone)]
@@ -86,6 +91,8 @@ pub(super) struct Sweep<'a, const D: usize> {
     unwalled: BTreeSet<usize>,
     queue: BinaryHeap<Event>,
     touches: BTreeMap<(usize, Touched), Touch<D>>,
+    /// The pairs that meet slowly, for the engine to hold.
+    left: BTreeSet<Pair>,
     unordered: bool,
 }
 
@@ -93,6 +100,8 @@ pub(super) struct Sweep<'a, const D: usize> {
 pub(super) struct Swept<const D: usize> {
     pub(super) changes: Vec<Change<D>>,
     pub(super) touches: Vec<Touch<D>>,
+    /// The pairs that are left for the engine to hold.
+    pub(super) left: BTreeSet<Pair>,
     pub(super) unordered: bool,
     /// Whether some agent bounced farther than the lists of others serve.
     pub(super) strayed: bool,
@@ -118,6 +127,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
             unwalled: BTreeSet::new(),
             queue: BinaryHeap::new(),
             touches: BTreeMap::new(),
+            left: BTreeSet::new(),
             unordered: false,
         }
     }
@@ -158,6 +168,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         Swept {
             changes: changes.collect(),
             unordered: self.unordered,
+            left: self.left,
             strayed: !self.strayed.is_empty(),
             touches: self.touches.into_values().collect(),
         }
@@ -203,134 +214,44 @@ impl<'a, const D: usize> Sweep<'a, D> {
 
     /// Finds out when a pair meets, from a time on.
     fn foresee(&mut self, pair: Pair, from: f64) {
-        if let Some(time) = self.meet(pair, from) {
-            let stamp = self.stamp(pair);
-            self.queue.push(Event { time, pair, stamp });
+        let Some((time, approach)) = self.meet(pair, from) else {
+            return;
+        };
+        if approach <= self.slow(pair) {
+            self.left.insert(pair);
+            return;
+        }
+        let stamp = self.stamp(pair);
+        self.queue.push(Event { time, pair, stamp });
+    }
+
+    /// The speed of approach up to which a meeting is left to the engine, which holds it from the
+    /// next step on: 0 but in crowds that the engine presses together, and of bodies that were
+    /// struck again and again.
+    fn slow(&self, pair: Pair) -> f64 {
+        let (restitution, _) = self.surfaces(pair);
+        let many = if restitution > 0.0 { TIRED.1 } else { TIRED.0 };
+        let tired = |agent| self.stamps.get(&agent).is_some_and(|blows| *blows >= many);
+        let pressed = pair.members().all(|agent| self.flight.pressed[agent]);
+        match pressed || pair.members().any(tired) {
+            true => HELD.1 * self.size(pair) / self.flight.step,
+            false => 0.0,
         }
     }
 
-    fn meet(&self, pair: Pair, from: f64) -> Option<f64> {
-        let (roster, end) = (self.roster, self.flight.step);
+    /// Restitution and friction of a pair.
+    fn surfaces(&self, pair: Pair) -> (f64, f64) {
         let agent = pair.agent as usize;
-        let one = self.way(agent);
-        let reach = |agent: usize| match roster.is_ball(agent) {
-            true => 0.0,
-            false => roster.outer[agent],
-        };
         match pair.other {
-            Other::Agent(other) => {
-                let other_agent = other as usize;
-                let other = self.way(other_agent);
-                // Too far from each other to meet in what is left of the step.
-                let left = end - from;
-                let way = (one.velocity_at(from) - other.velocity_at(from)).norm() * left
-                    + 0.5 * (one.acceleration - other.acceleration).norm() * left * left;
-                let outer = roster.outer[agent] + roster.outer[other_agent];
-                let apart = (one.position_at(from) - other.position_at(from)).norm();
-                if apart > outer + way * (1.0 + 1e-9) {
-                    return None;
-                }
-                let round = roster.is_ball(agent) && roster.is_ball(other_agent);
-                if round && one.acceleration == other.acceleration {
-                    let apart = other.position_at(from) - one.position_at(from);
-                    let velocity = one.velocity_at(from) - other.velocity_at(from);
-                    let touching = roster.outer[agent] + roster.outer[other_agent];
-                    let time = from + balls(&apart, &velocity, touching)?;
-                    let least = 1e-13 * (one.velocity.amax() + other.velocity.amax());
-                    let there = apart - velocity * (time - from);
-                    let approach = velocity.dot(&there) / there.norm();
-                    return (time <= end && approach > least).then_some(time);
-                }
-                let meeting = Meeting {
-                    ways: [&one, &other],
-                    reaches: [reach(agent), reach(other_agent)],
-                    size: roster.size(agent).min(roster.size(other_agent)),
-                };
-                let found = meeting.meet(
-                    from,
-                    end,
-                    |t| self.stand(pair, [&one, &other], t),
-                    |_, _| true,
-                );
-                found.map(|(time, _)| time)
-            }
-            Other::Part(obstacle, _) => {
-                let obstacle = obstacle as usize;
-                let other = &self.flight.wall(obstacle);
-                let meeting = Meeting {
-                    ways: [&one, other],
-                    reaches: [
-                        reach(agent),
-                        match other.turns() {
-                            true => self.flight.obstacles[obstacle].reach(),
-                            false => 0.0,
-                        },
-                    ],
-                    size: roster.size(agent),
-                };
-                let counts = |time: f64, found: &Separation<D>| self.is_exposed(pair, found, time);
-                let found = meeting.meet(from, end, |t| self.stand(pair, [&one, other], t), counts);
-                found.map(|(time, _)| time)
-            }
+            Other::Agent(other) => self.roster.between(agent, other as usize),
+            Other::Part(obstacle, _) => self.roster.against(agent, obstacle as usize),
         }
     }
 
-    /// How a pair stands to each other on its ways at a time.
-    fn stand(&self, pair: Pair, ways: [&Way<D>; 2], time: f64) -> Separation<D> {
-        let [one, other] = ways.map(|way| way.pose_at(time));
-        let solid = self.roster.solid(pair.agent as usize);
-        match pair.other {
-            Other::Agent(agent) => {
-                solid.separation(&one, self.roster.solid(agent as usize), &other)
-            }
-            Other::Part(obstacle, part) => {
-                let part = &self.flight.obstacles[obstacle as usize].parts()[part as usize];
-                part.separation(&other, solid, &one)
-            }
-        }
-    }
-
-    /// Visits the spots where a pair touches.
-    fn spots(
-        &self,
-        pair: Pair,
-        ways: [&Way<D>; 2],
-        time: f64,
-        found: &Separation<D>,
-        visit: &mut dyn FnMut(Vector<D>),
-    ) {
-        let [one, other] = ways.map(|way| way.pose_at(time));
-        let solid = self.roster.solid(pair.agent as usize);
-        match pair.other {
-            Other::Agent(agent) => {
-                let other = (self.roster.solid(agent as usize), &other);
-                solid.spots(&one, other, found, visit);
-            }
-            Other::Part(obstacle, part) => {
-                let part = &self.flight.obstacles[obstacle as usize].parts()[part as usize];
-                part.spots(&other, (solid, &one), found, visit);
-            }
-        }
-    }
-
-    /// Whether a touch is one of the wall that all parts form together.
-    fn is_exposed(&self, pair: Pair, found: &Separation<D>, time: f64) -> bool {
-        let Other::Part(obstacle, part) = pair.other else {
-            return true;
-        };
-        let (obstacle, part) = (obstacle as usize, part as usize);
-        let (mut point, mut normal) = (found.points[1], -found.normal);
-        let obstacles = self.flight.obstacles;
-        if obstacles[obstacle].motion().is_some() {
-            // Told where the obstacle is when the others are looked at: at the end of the step.
-            let then = self.flight.wall(obstacle).pose_at(time);
-            let now = &obstacles[obstacle].pose;
-            point = now.point_to_world(&then.point_to_local(&point));
-            normal = now.vector_to_world(&then.vector_to_local(&normal));
-        }
-        let size = self.roster.size(pair.agent as usize);
-        let boxes = &self.walls.boxes;
-        is_exposed(obstacles, boxes, (obstacle, part), &point, &normal, size)
+    /// The size of the smaller body of a pair.
+    fn size(&self, pair: Pair) -> f64 {
+        let sizes = pair.members().map(|it| self.roster.size(it));
+        sizes.fold(f64::INFINITY, f64::min)
     }
 
     /// Lets pairs that meet bounce, and what they push; or lets those that lean be stopped.
@@ -356,6 +277,12 @@ impl<'a, const D: usize> Sweep<'a, D> {
         let (agents, pairs, founds) = (struck.agents, struck.pairs, struck.founds);
         self.unordered |= cluster.unordered;
         let sums = cluster.impulses(pairs.len());
+        let mut resting: BTreeSet<Pair> = pairs.iter().copied().collect();
+        for (k, spot) in cluster.spots.iter().enumerate() {
+            if !cluster.is_left(k) {
+                resting.remove(&pairs[spot.pair]);
+            }
+        }
         for (k, pair) in pairs.iter().enumerate() {
             self.enter(time, (*pair, &founds[k]), &sums[k], blows[k].normal);
         }
@@ -365,18 +292,18 @@ impl<'a, const D: usize> Sweep<'a, D> {
                 true => way_out(&founds),
                 false => Vector::zeros(),
             };
-            self.go_on(agent, time, body, (rests, out));
+            self.go_on((agent, time), body, (rests, out), &resting);
         }
     }
 
     /// Sends a body on its new way, from a little beside where it is, and looks whom it meets
-    /// there.
+    /// there, but for some pairs.
     fn go_on(
         &mut self,
-        agent: usize,
-        time: f64,
+        (agent, time): (usize, f64),
         body: &Struck<D>,
         (rests, aside): (bool, Vector<D>),
+        resting: &BTreeSet<Pair>,
     ) {
         let old = self.way(agent);
         if !rests && old.velocity_at(time) == body.velocity && old.spin == body.spin {
@@ -403,7 +330,9 @@ impl<'a, const D: usize> Sweep<'a, D> {
         self.changed.insert(agent, way);
         *self.stamps.entry(agent).or_default() += 1;
         for pair in self.candidates(agent) {
-            self.foresee(pair, time);
+            if !resting.contains(&pair) {
+                self.foresee(pair, time);
+            }
         }
     }
 

@@ -16,8 +16,8 @@ pub(super) struct Way<const D: usize> {
     pub(super) acceleration: Vector<D>,
     /// Angular velocity; in the plane the last component.
     pub(super) spin: Vector<3>,
-    /// The rate at which it is turned all along. The engine turns bodies a little slower than
-    /// their angular velocity tells.
+    /// The rate at which it is turned all along: the mean of its angular velocity, which torques
+    /// change.
     pub(super) turning: Vector<3>,
 }
 

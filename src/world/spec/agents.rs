@@ -195,8 +195,8 @@ impl Default for TorqueSpec {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "HeadingTurn")]
 pub struct TurnSpec {
-    /// Largest angular speed (radians per unit of time); absent means what the engine allows,
-    /// a quarter of a full turn in a step.
+    /// Largest angular speed (radians per unit of time); it is never above an eighth of a full turn
+    /// in a step, which absent means.
     #[serde(default)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub turn_rate: Option<f64>,

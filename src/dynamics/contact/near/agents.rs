@@ -164,9 +164,20 @@ impl<const D: usize> Agents<D> {
         2.0 * self.reach
     }
 
-    /// Has pairs listed up to wider gaps from the next time on.
+    /// Has pairs listed so far that there is one, from the next time on.
     pub(in crate::dynamics::contact) fn widen(&mut self) {
-        self.reach *= 2.0;
+        // Neighbours in the order of an axis tell how near the nearest are at least.
+        let mut nearest = f64::INFINITY;
+        let mut order: Vec<usize> = (0..self.then.len()).collect();
+        for axis in 0..D {
+            order.sort_by(|&a, &b| self.then[a][axis].total_cmp(&self.then[b][axis]));
+            for pair in order.windows(2) {
+                let [one, other] = [pair[0], pair[1]];
+                let apart = (self.then[one] - self.then[other]).norm();
+                nearest = nearest.min(apart - self.radii[one] - self.radii[other]);
+            }
+        }
+        self.reach = (2.0 * self.reach).max(0.51 * nearest.min(f64::MAX));
         self.then.clear();
     }
 

@@ -49,19 +49,12 @@ impl<const D: usize> Strike<'_, '_, D> {
         let sweep = &*self.sweep;
         let agent = pair.agent as usize;
         let one = sweep.way(agent);
-        let (other, surfaces) = match pair.other {
-            Other::Agent(other) => {
-                let other = other as usize;
-                (sweep.way(other), sweep.roster.between(agent, other))
-            }
-            Other::Part(obstacle, _) => {
-                let obstacle = obstacle as usize;
-                (
-                    sweep.flight.wall(obstacle),
-                    sweep.roster.against(agent, obstacle),
-                )
-            }
+        let other = match pair.other {
+            Other::Agent(other) => sweep.way(other as usize),
+            Other::Part(obstacle, _) => sweep.flight.wall(obstacle as usize),
         };
+        let surfaces = sweep.surfaces(pair);
+        let slow = if meets { 0.0 } else { sweep.slow(pair) };
         if let Other::Agent(other_agent) = pair.other
             && !meets
         {
@@ -73,11 +66,7 @@ impl<const D: usize> Strike<'_, '_, D> {
         }
         let found = sweep.stand(pair, [&one, &other], self.time);
         let held = || sweep.is_held(pair);
-        let size = pair
-            .members()
-            .map(|it| sweep.roster.size(it))
-            .fold(f64::INFINITY, f64::min);
-        let touching = found.gap <= 4.0 * tolerance(size, &found.points[0]) || held();
+        let touching = found.gap <= 4.0 * tolerance(sweep.size(pair), &found.points[0]) || held();
         if !meets && !touching {
             return;
         }
@@ -113,6 +102,7 @@ impl<const D: usize> Strike<'_, '_, D> {
                     },
                     restitution: surfaces.0,
                     friction: surfaces.1,
+                    slow,
                     pair: place,
                     normal_impulse: 0.0,
                     friction_impulse: 0.0,
