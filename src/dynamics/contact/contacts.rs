@@ -219,12 +219,8 @@ impl<const D: usize> Contacts<D> {
         let approach = against.dot(&found.normal);
         let pull = acceleration.dot(&found.normal);
         let known = engine && self.state.lasting.binary_search(&pair).is_ok();
-        let (most, slow) = (HELD.0 * size, HELD.1 * size / start.step);
-        if known && approach <= slow && found.gap <= most {
-            let stays = found.gap <= 0.0 || against.norm() <= slow;
-            if stays {
-                return self.is_exposed(pair, &found, start);
-            }
+        if known && against.norm() * start.step <= HELD.1 * size {
+            return found.gap <= HELD.0 * size && self.is_exposed(pair, &found, start);
         }
         if found.gap > 4.0 * tolerance(size, &found.points[0]) {
             return false;

@@ -25,12 +25,12 @@ use crate::math::{Matrix, Vector};
 use crate::shape::Separation;
 use strike::Strike;
 
-/// Meetings in a step, for each agent, after which bounces are no longer followed.
-const MEETINGS: usize = 50;
+/// Blows of two bodies in a step after which they are no longer followed.
+const MEETINGS: u32 = 200;
 
 /// Blows of a body in a step after which its slow meetings are left to the engine: of those that
 /// do not bounce, and of those that do.
-const TIRED: (u32, u32) = (4, 20);
+const TIRED: (u32, u32) = (16, 50);
 
 /// A body that ends the step elsewhere than the engine put it.
 #[derive(Debug, Clone)]
@@ -149,16 +149,14 @@ impl<'a, const D: usize> Sweep<'a, D> {
                 self.foresee(pair, 0.0);
             }
         }
-        let mut left = MEETINGS * self.roster.len();
         while let Some(event) = self.queue.pop() {
             if event.stamp != self.stamp(event.pair) {
                 continue;
             }
-            if left == 0 {
+            if event.stamp > MEETINGS {
                 self.unordered = true;
-                break;
+                continue;
             }
-            left -= 1;
             self.strike(&[event.pair], event.time, false);
         }
         let changes = self
