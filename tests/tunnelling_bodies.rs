@@ -92,8 +92,8 @@ fn body<const D: usize>(shot: usize, shape: &Value, x: f64, speed: f64) -> Value
     })
 }
 
-/// Flies a world; `watch` sees the poses before and after each step.
-fn fly<const D: usize>(mut json: Value, mut watch: impl FnMut(&World<D>, &[Pose<D>], &[Pose<D>]))
+/// Flies a world; `watch` sees the poses before and after each step, and who was struck in it.
+fn fly<const D: usize>(mut json: Value, mut watch: impl FnMut(&World<D>, [&[Pose<D>]; 2], &[bool]))
 where
     In<D>: Engine<D>,
 {
@@ -110,9 +110,12 @@ where
     };
     let mut before = poses(&simulation);
     for _ in 0..simulation.world().steps() {
+        let velocities = simulation.snapshot().velocities.to_vec();
         simulation.step().expect("a finite state");
         let after = poses(&simulation);
-        watch(simulation.world(), &before, &after);
+        let now = simulation.snapshot().velocities.iter();
+        let struck: Vec<bool> = now.zip(&velocities).map(|(a, b)| a != b).collect();
+        watch(simulation.world(), [&before, &after], &struck);
         before = after;
     }
 }
@@ -148,24 +151,29 @@ where
             }
         }
         let mut deepest = vec![f64::INFINITY; SHOTS];
-        fly::<D>(json!({ "agents": groups }), |world, before, after| {
-            for (shot, deepest) in deepest.iter_mut().enumerate() {
-                let (a, b) = (2 * shot, 2 * shot + 1);
-                let apart = (before[a].translation - before[b].translation).norm();
-                if apart > 2.5 {
-                    continue;
+        fly::<D>(
+            json!({ "agents": groups }),
+            |world, [before, after], struck| {
+                for (shot, deepest) in deepest.iter_mut().enumerate() {
+                    let (a, b) = (2 * shot, 2 * shot + 1);
+                    let apart = (before[a].translation - before[b].translation).norm();
+                    if apart > 2.5 {
+                        continue;
+                    }
+                    // The way of who was struck is not the one between the ends of the step.
+                    let first = if struck[a] || struck[b] { 40 } else { 0 };
+                    for k in first..=40 {
+                        let share = f64::from(k) / 40.0;
+                        let gap = world.solids[a].gap(
+                            &between_poses(&before[a], &after[a], share),
+                            &world.solids[b],
+                            &between_poses(&before[b], &after[b], share),
+                        );
+                        *deepest = deepest.min(gap);
+                    }
                 }
-                for k in 0..=40 {
-                    let share = f64::from(k) / 40.0;
-                    let gap = world.solids[a].gap(
-                        &between_poses(&before[a], &after[a], share),
-                        &world.solids[b],
-                        &between_poses(&before[b], &after[b], share),
-                    );
-                    *deepest = deepest.min(gap);
-                }
-            }
-        });
+            },
+        );
         for (shot, gap) in deepest.into_iter().enumerate() {
             met += usize::from(gap < 0.02);
             if gap < -THROUGH[kind] {
@@ -203,7 +211,7 @@ where
         let mut last = Vec::new();
         fly::<D>(
             json!({ "agents": groups, "obstacles": walls }),
-            |_, _, after| {
+            |_, [_, after], _| {
                 last = after.to_vec();
             },
         );

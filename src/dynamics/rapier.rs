@@ -64,8 +64,9 @@ fn agent(
         .pose(units.pose(&pose))
         .linvel(units.length(&agents.velocities[i]))
         .can_sleep(false)
-        // A blow may set it spinning as fast as it will.
-        .allow_fast_rotation(true)
+        // A blow may set it spinning as fast as it will. In space gyroscopic forces, which the
+        // engine takes explicitly, would make fast spins faster.
+        .allow_fast_rotation(D == 2)
         .user_data(i as u128);
     if !can_turn(world, agents.group[i], friction) {
         body = body.lock_rotations();
