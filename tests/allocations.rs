@@ -56,7 +56,7 @@ where
         lasting: &[],
         obstacles: &world.obstacles,
     };
-    for _ in 0..4 * STEPS {
+    for _ in 0..12 * STEPS {
         bodies.step(&mut flock).expect("a finite state");
         engine.step(still);
     }

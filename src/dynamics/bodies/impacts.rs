@@ -45,6 +45,7 @@ impl<const D: usize> Bodies<D> {
                 .attitudes
                 .as_ref()
                 .map(|they| &they.stances.rotations[..]),
+            spins: self.attitudes.as_ref().map(|they| &they.stances.spins[..]),
             velocities: &self.velocities,
             accelerations: &self.applied,
             obstacles: &self.obstacles,

@@ -19,6 +19,10 @@ use crate::world::World;
 /// and the share that the one may move against the other in a step.
 pub(super) const HELD: (f64, f64) = (1e-3, 1e-2);
 
+/// Share of a body's size that the surfaces of agents may turn by in a step and be held: the engine
+/// goes by the plane at the start of the step.
+const TURNED: f64 = 0.1;
+
 /// What contacts must know between two steps to go on bit for bit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct ContactsState {
@@ -50,6 +54,7 @@ pub(crate) struct Start<'a, const D: usize> {
     pub(crate) step: f64,
     pub(crate) positions: &'a [Vector<D>],
     pub(crate) rotations: Option<&'a [Matrix<D>]>,
+    pub(crate) spins: Option<&'a [Vector<3>]>,
     /// Velocities at the time of the positions.
     pub(crate) velocities: &'a [Vector<D>],
     pub(crate) accelerations: &'a [Vector<D>],
@@ -208,6 +213,17 @@ impl<const D: usize> Contacts<D> {
         }
     }
 
+    /// How far the surfaces of a pair's bodies turn in a step at most; balls look the same.
+    fn turns(&self, pair: Pair, start: &Start<'_, D>) -> f64 {
+        let turns = |agent: usize| match start.spins {
+            Some(spins) if !self.roster.is_ball(agent) => {
+                spins[agent].norm() * self.roster.outer[agent] * start.step
+            }
+            _ => 0.0,
+        };
+        pair.members().map(turns).sum()
+    }
+
     /// Whether a pair touches and is neither struck nor parting; pairs that the engine held
     /// before may have parted a little.
     fn lasts(&self, pair: Pair, start: &Start<'_, D>, engine: bool) -> bool {
@@ -227,6 +243,9 @@ impl<const D: usize> Contacts<D> {
         }
         let speed = |agent: usize| start.velocities[agent].amax();
         let least = 1e-13 * (pair.members().map(speed).sum::<f64>() + against.amax());
+        if matches!(pair.other, Other::Agent(_)) && self.turns(pair, start) > TURNED * size {
+            return false;
+        }
         let struck = approach > 2.0 * pull.max(0.0) * start.step + least;
         let parts = approach < -least && approach + 0.5 * pull * start.step < 0.0;
         !struck && !parts && self.is_exposed(pair, &found, start)
@@ -299,7 +318,7 @@ impl<const D: usize> Contacts<D> {
                     time: touch.time,
                 });
             }
-            let overlap = -touch.gap / size;
+            let overlap = (-touch.gap / size).min(f64::MAX);
             self.state.strain.overlap = self.state.strain.overlap.max(overlap);
         }
     }
@@ -308,7 +327,7 @@ impl<const D: usize> Contacts<D> {
     pub(crate) fn travel(&mut self, [from, to]: [&[Vector<D>]; 2]) {
         let ways = from.iter().zip(to).zip(&self.roster.inner);
         let squares = ways.map(|((from, to), inner)| (to - from).norm_squared() / (inner * inner));
-        let longest = squares.fold(0.0, f64::max).sqrt();
+        let longest = squares.fold(0.0, f64::max).sqrt().min(f64::MAX);
         self.state.strain.travel = self.state.strain.travel.max(longest);
     }
 }

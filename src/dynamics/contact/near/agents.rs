@@ -77,8 +77,9 @@ impl<const D: usize> Agents<D> {
             true => 1.1 * reach,
             false => self.reach.max(0.5 * self.smallest),
         };
+        // A pair that is not listed may come closer by what both go: what is left is the reach.
         let least = (STEPS * average).max(self.reach).max(1e-9 * self.smallest);
-        let budgets = (0..to.len()).map(|i| least.max(2.0 * travel(i)));
+        let budgets = (0..to.len()).map(|i| self.reach + least.max(2.0 * travel(i)));
         self.budgets = budgets.collect();
         self.ways = (0..to.len()).map(travel).collect();
         self.start = self.mean;
@@ -94,7 +95,7 @@ impl<const D: usize> Agents<D> {
         let agents = to.len();
         self.spent.resize(agents.div_ceil(CHUNK), false);
         let chunks = self.ways.par_chunks_mut(CHUNK).enumerate();
-        let (then, budgets) = (&self.then, &self.budgets);
+        let (then, budgets, reach) = (&self.then, &self.budgets, self.reach);
         for_each(
             agents,
             chunks.zip(&mut self.spent),
@@ -102,7 +103,7 @@ impl<const D: usize> Agents<D> {
                 *spent = false;
                 for (k, i) in (chunk * CHUNK..).take(ways.len()).enumerate() {
                     ways[k] = way(&then[i], &to[i], common) + travel(i);
-                    *spent |= ways[k] > budgets[i];
+                    *spent |= ways[k] > budgets[i] - reach;
                 }
             },
         );

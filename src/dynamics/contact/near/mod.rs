@@ -13,7 +13,7 @@ pub(super) use agents::Agents;
 pub(super) use walls::Walls;
 
 /// Budgets are this many times the way of the step in which lists are made.
-const STEPS: f64 = 20.0;
+const STEPS: f64 = 8.0;
 
 #[cfg(test)]
 mod tests {
