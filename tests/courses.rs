@@ -95,8 +95,7 @@ fn a_wall_across_the_way_stops_the_flock() {
 #[test]
 fn friction_jams_the_door() {
     let run = course("courses/escape-panic", 43.0);
-    // How many get through before it jams is chance: by a hair's breadth of the start, 10 or 60.
-    assert!((5..90).contains(&run.reached), "{}", run.reached);
+    assert!((5..50).contains(&run.reached), "{}", run.reached);
     // The crowd stands, pressed together.
     assert!(run.summary.last.agent_gap < Some(0.0), "{run:?}");
     assert!(run.summary.force_cuts > 0);

@@ -15,7 +15,7 @@ use super::rapier::prelude::{
     ActiveHooks, ColliderBuilder, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
 use super::{D, angular, geometry, matrix, rotation, spin, weight, without_gyration};
-use crate::dynamics::contact::{Change, can_turn, has_friction};
+use crate::dynamics::contact::{CROWDED, Change, can_turn, has_friction};
 use crate::dynamics::{Drive, Engine, Physics, Steering, Touch, Unusable};
 use crate::math::{Matrix, Vector};
 use crate::parallel::{CHUNK, for_each};
@@ -120,6 +120,10 @@ impl Rapier {
         parameters.num_solver_iterations = physics.solver_iterations;
         parameters.length_unit = units.rest;
         parameters.normalized_max_linear_velocity = NO_SPEED_CAP / units.rest;
+        // As far from each other as what it is told to hold may be.
+        let widest = world.solids.iter().map(|solid| solid.radius());
+        let widest = widest.fold(0.0, f64::max) * units.scale();
+        parameters.normalized_prediction_distance = CROWDED * widest / units.rest;
         // What moves fast is followed by us.
         parameters.max_ccd_substeps = 0;
         // The ledger reads distances and impulses, so they must be those of this step

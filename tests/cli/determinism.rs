@@ -136,7 +136,7 @@ fn fnv1a(bytes: impl Iterator<Item = u8>) -> u64 {
 #[test]
 fn runs_are_what_they_were() {
     assert_eq!(fnv1a(b"foobar".iter().copied()), 0x8594_4171_f739_67e8);
-    let pinned: [u64; 2] = [0xfca8_1546_2169_7067, 0x25ba_b578_cd25_bd54];
+    let pinned: [u64; 2] = [0xfa4e_a783_f5be_487b, 0x0ba9_d269_1b9a_95cc];
     let found = [2, 3].map(fingerprint);
     assert_eq!(
         found, pinned,

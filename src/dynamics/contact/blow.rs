@@ -31,10 +31,6 @@ const PATIENT: usize = 40;
 const FEW: (usize, usize) = (12, 2000);
 const PASSES: usize = 60;
 
-/// Share of the highest speed below which approach in a crowd that does not bounce is left to
-/// the next step.
-const PRESSED: f64 = 1e-4;
-
 /// A body struck.
 #[derive(Debug, Clone)]
 pub(super) struct Struck<const D: usize> {
@@ -157,39 +153,13 @@ impl<const D: usize> Cluster<D> {
         }
     }
 
-    /// The spots that approach each other, faster than is passed over: to rounding, or where
-    /// patience is over, or many spots press each other, what the next steps may do.
+    /// The spots that approach each other faster than is passed over: to rounding, or where patience
+    /// is over a little more; or than is left to the engine.
     fn approaching(&mut self, late: bool) -> Vec<usize> {
         let least = self.least() * if late { 1e7 } else { 1.0 };
-        let pressed = match self.is_crowd() {
-            true => least.max(PRESSED * self.fastest),
-            false => least,
-        };
         (0..self.spots.len())
-            .filter(|&k| {
-                let spot = &self.spots[k];
-                let least = if spot.restitution > 0.0 {
-                    least
-                } else {
-                    pressed
-                };
-                self.separation(k) < -least.max(spot.slow)
-            })
+            .filter(|&k| self.separation(k) < -least.max(self.spots[k].slow))
             .collect()
-    }
-
-    /// Whether so many spots touch that they settle roughly.
-    fn is_crowd(&self) -> bool {
-        self.spots.len() > FEW.0
-    }
-
-    /// Whether a spot of a crowd is left to the next step as it is: it does not bounce, and hardly
-    /// approaches.
-    pub(super) fn is_left(&self, spot: usize) -> bool {
-        let it = &self.spots[spot];
-        self.is_crowd()
-            && it.restitution == 0.0
-            && self.separation(spot) >= -2.0 * PRESSED * self.fastest
     }
 
     /// What the spots of each of some pairs came to so far.
@@ -309,11 +279,10 @@ impl<const D: usize> Cluster<D> {
                     .dot(&self.spots[k].normal)
             })
             .collect();
-        let (exact, passes) = match (spots.len() <= FEW.0, rubs.is_empty()) {
-            (true, true) => (1e-2 * self.least(), FEW.1),
-            (true, false) => (0.1 * self.least(), FEW.1),
-            (false, true) => (1e-2 * self.least(), PASSES),
-            (false, false) => (0.1 * PRESSED * self.least().max(self.fastest), PASSES),
+        let exact = self.least() * if rubs.is_empty() { 1e-2 } else { 0.1 };
+        let passes = match spots.len() <= FEW.0 {
+            true => FEW.1,
+            false => PASSES,
         };
         for _ in 0..passes {
             let mut largest = 0.0f64;

@@ -19,9 +19,10 @@ use crate::world::World;
 /// and the share that the one may move against the other in a step.
 pub(super) const HELD: (f64, f64) = (1e-3, 1e-2);
 
-/// Share of a body's size that the surfaces of agents may turn by in a step and be held: the engine
-/// goes by the plane at the start of the step.
-const TURNED: f64 = 0.1;
+/// Share of its size that an agent may move and turn against another in a step for the engine, which
+/// goes by the plane at the start of the step, to hold them; in a crowd that it held before also
+/// where they will only touch within the step.
+pub(crate) const CROWDED: f64 = 0.1;
 
 /// What contacts must know between two steps to go on bit for bit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -125,18 +126,18 @@ impl<const D: usize> Contacts<D> {
     /// the walls that they touch; who touches walls alone is held without it, see `sweep`.
     pub(crate) fn hold(&mut self, start: Start<'_, D>) {
         let (mut engine, mut walls, mut leaning) = (Vec::new(), Vec::new(), Vec::new());
-        let widest = self.widest();
+        let crowd = agents_of(&self.state.lasting);
+        let widest = self.widest(!crowd.is_empty());
         self.agents
             .below(widest, |one, other| engine.push(Pair::agents(one, other)));
-        engine.retain(|&pair| self.lasts(pair, &start, true));
-        let mut crowded: Vec<usize> = engine.iter().flat_map(|pair| pair.members()).collect();
-        crowded.sort_unstable();
+        engine.retain(|&pair| self.lasts(pair, &start, Some(&crowd)));
+        let crowded = agents_of(&engine);
         self.walls.below(widest, |agent, obstacle, part| {
             walls.push(Pair::wall(agent, obstacle, part));
         });
         for pair in walls {
             let crowded = crowded.binary_search(&(pair.agent as usize)).is_ok();
-            if self.lasts(pair, &start, crowded) {
+            if self.lasts(pair, &start, crowded.then_some(&crowd[..])) {
                 match crowded {
                     true => engine.push(pair),
                     false => leaning.push(pair),
@@ -183,9 +184,10 @@ impl<const D: usize> Contacts<D> {
         near.into_iter().filter_map(touch).collect()
     }
 
-    /// The widest gap at which a pair may still be held.
-    fn widest(&self) -> f64 {
-        HELD.0 * self.roster.inner.iter().copied().fold(0.0, f64::max)
+    /// The widest gap at which a pair may still be held, where there is a crowd or not.
+    fn widest(&self, crowd: bool) -> f64 {
+        let share = if crowd { CROWDED } else { HELD.0 };
+        share * self.roster.inner.iter().copied().fold(0.0, f64::max)
     }
 
     /// How a pair stands to each other, and the velocity and acceleration of the agent against
@@ -225,8 +227,9 @@ impl<const D: usize> Contacts<D> {
     }
 
     /// Whether a pair touches and is neither struck nor parting; pairs that the engine held
-    /// before may have parted a little.
-    fn lasts(&self, pair: Pair, start: &Start<'_, D>, engine: bool) -> bool {
+    /// before may have parted a little, and agents that it held may be about to touch. `engine` are
+    /// the latter, nothing where the engine is not to hold it.
+    fn lasts(&self, pair: Pair, start: &Start<'_, D>, engine: Option<&[usize]>) -> bool {
         let size = pair
             .members()
             .map(|it| self.roster.size(it))
@@ -234,8 +237,16 @@ impl<const D: usize> Contacts<D> {
         let (found, against, acceleration) = self.stand(pair, start);
         let approach = against.dot(&found.normal);
         let pull = acceleration.dot(&found.normal);
-        let known = engine && self.state.lasting.binary_search(&pair).is_ok();
-        if known && against.norm() * start.step <= HELD.1 * size {
+        let known = engine.is_some() && self.state.lasting.binary_search(&pair).is_ok();
+        let held = |agent: usize| engine.is_some_and(|all| all.binary_search(&agent).is_ok());
+        let crowd = pair.members().all(held);
+        let step = start.step;
+        let moves = against.norm() * step;
+        let turns = self.turns(pair, start);
+        if crowd && moves <= CROWDED * size && turns <= CROWDED * size {
+            return found.gap <= CROWDED * size && self.is_exposed(pair, &found, start);
+        }
+        if known && moves <= HELD.1 * size && turns <= CROWDED * size {
             return found.gap <= HELD.0 * size && self.is_exposed(pair, &found, start);
         }
         if found.gap > 4.0 * tolerance(size, &found.points[0]) {
@@ -243,7 +254,7 @@ impl<const D: usize> Contacts<D> {
         }
         let speed = |agent: usize| start.velocities[agent].amax();
         let least = 1e-13 * (pair.members().map(speed).sum::<f64>() + against.amax());
-        if matches!(pair.other, Other::Agent(_)) && self.turns(pair, start) > TURNED * size {
+        if matches!(pair.other, Other::Agent(_)) && turns > CROWDED * size {
             return false;
         }
         let struck = approach > 2.0 * pull.max(0.0) * start.step + least;
@@ -330,4 +341,12 @@ impl<const D: usize> Contacts<D> {
         let longest = squares.fold(0.0, f64::max).sqrt().min(f64::MAX);
         self.state.strain.travel = self.state.strain.travel.max(longest);
     }
+}
+
+/// The agents of some pairs, in order.
+fn agents_of(pairs: &[Pair]) -> Vec<usize> {
+    let mut agents: Vec<usize> = pairs.iter().flat_map(|pair| pair.members()).collect();
+    agents.sort_unstable();
+    agents.dedup();
+    agents
 }

@@ -23,6 +23,10 @@ const SLIDING: f64 = 16.0;
 /// themselves; it may end too late, and the meeting is then between.
 const NEAR: f64 = 1e-2;
 
+/// Share of their size by which bodies that do not bounce may sink into each other between two
+/// looks.
+const SINKS: f64 = 2e-3;
+
 /// Share of a part of a step below which sliding is not looked at more closely.
 const SHORTEST: f64 = 1e-6;
 
@@ -131,15 +135,21 @@ impl<const D: usize> Pair<'_, D> {
         (found, tolerance): (&Separation<D>, f64),
         separation: &impl Fn(f64) -> Separation<D>,
     ) -> (f64, Separation<D>) {
-        let loose = !self.bounces || found.gap < -tolerance;
+        let sunk = found.gap < -tolerance;
+        let deeper = match self.bounces {
+            true => tolerance,
+            false => SINKS * self.size,
+        };
         let mut part = to - from;
         loop {
             let then = separation(from + part);
-            if loose || then.gap >= -tolerance || part <= SHORTEST * (to - from) {
+            let sinks = found.gap.min(0.0) - then.gap;
+            let loose = self.bounces && sunk;
+            if loose || sinks <= deeper || part <= SHORTEST * (to - from) {
                 return (from + part, then);
             }
             // They sink in with the square of the time.
-            part *= (0.8 * (tolerance / -then.gap).sqrt()).min(0.5);
+            part *= (0.8 * (deeper / sinks).sqrt()).min(0.5);
         }
     }
 

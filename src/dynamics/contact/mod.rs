@@ -10,7 +10,7 @@ mod roster;
 mod sweep;
 mod way;
 
-pub(crate) use contacts::{Contacts, ContactsState, Start};
+pub(crate) use contacts::{CROWDED, Contacts, ContactsState, Start};
 pub(crate) use flight::Flight;
 pub use pair::{Other, Pair};
 pub(crate) use roster::{can_turn, has_friction};

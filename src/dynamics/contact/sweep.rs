@@ -28,10 +28,6 @@ use strike::Strike;
 /// Blows of two bodies in a step after which they are no longer followed.
 const MEETINGS: u32 = 200;
 
-/// Blows of a body in a step after which its slow meetings are left to the engine: of those that
-/// do not bounce, and of those that do.
-const TIRED: (u32, u32) = (16, 50);
-
 /// A body that ends the step elsewhere than the engine put it.
 #[derive(Debug, Clone)]
 pub struct Change<const D: usize> {
@@ -91,7 +87,7 @@ pub(super) struct Sweep<'a, const D: usize> {
     unwalled: BTreeSet<usize>,
     queue: BinaryHeap<Event>,
     touches: BTreeMap<(usize, Touched), Touch<D>>,
-    /// The pairs that meet slowly, for the engine to hold.
+    /// The pairs that were struck, or meet slowly, for the engine to hold if they stay together.
     left: BTreeSet<Pair>,
     unordered: bool,
 }
@@ -100,7 +96,7 @@ pub(super) struct Sweep<'a, const D: usize> {
 pub(super) struct Swept<const D: usize> {
     pub(super) changes: Vec<Change<D>>,
     pub(super) touches: Vec<Touch<D>>,
-    /// The pairs that are left for the engine to hold.
+    /// The pairs that are left for the engine to hold if they stay together.
     pub(super) left: BTreeSet<Pair>,
     pub(super) unordered: bool,
     /// Whether some agent bounced farther than the lists of others serve.
@@ -146,7 +142,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         });
         for pair in pairs {
             if !self.is_held(pair) && !pair.members().any(|agent| self.leans(agent)) {
-                self.foresee(pair, 0.0);
+                self.foresee(pair, 0.0, false);
             }
         }
         while let Some(event) = self.queue.pop() {
@@ -158,6 +154,10 @@ impl<'a, const D: usize> Sweep<'a, D> {
                 continue;
             }
             self.strike(&[event.pair], event.time, false);
+            if event.stamp == self.stamp(event.pair) {
+                // It approached by rounding only, and was not turned back.
+                self.foresee(event.pair, event.time, true);
+            }
         }
         let changes = self
             .changed
@@ -210,9 +210,10 @@ impl<'a, const D: usize> Sweep<'a, D> {
         }
     }
 
-    /// Finds out when a pair meets, from a time on.
-    fn foresee(&mut self, pair: Pair, from: f64) {
-        let Some((time, approach)) = self.meet(pair, from) else {
+    /// Finds out when a pair meets, from a time on; after this time, where what it does then was
+    /// `answered`.
+    fn foresee(&mut self, pair: Pair, from: f64, answered: bool) {
+        let Some((time, approach)) = self.meet(pair, from, answered) else {
             return;
         };
         if approach <= self.slow(pair) {
@@ -224,14 +225,9 @@ impl<'a, const D: usize> Sweep<'a, D> {
     }
 
     /// The speed of approach up to which a meeting is left to the engine, which holds it from the
-    /// next step on: 0 but in crowds that the engine presses together, and of bodies that were
-    /// struck again and again.
+    /// next step on: 0 but in crowds that the engine presses together.
     fn slow(&self, pair: Pair) -> f64 {
-        let (restitution, _) = self.surfaces(pair);
-        let many = if restitution > 0.0 { TIRED.1 } else { TIRED.0 };
-        let tired = |agent| self.stamps.get(&agent).is_some_and(|blows| *blows >= many);
-        let pressed = pair.members().all(|agent| self.flight.pressed[agent]);
-        match pressed || pair.members().any(tired) {
+        match pair.members().all(|agent| self.flight.pressed[agent]) {
             true => HELD.1 * self.size(pair) / self.flight.step,
             false => 0.0,
         }
@@ -275,12 +271,6 @@ impl<'a, const D: usize> Sweep<'a, D> {
         let (agents, pairs, founds) = (struck.agents, struck.pairs, struck.founds);
         self.unordered |= cluster.unordered;
         let sums = cluster.impulses(pairs.len());
-        let mut resting: BTreeSet<Pair> = pairs.iter().copied().collect();
-        for (k, spot) in cluster.spots.iter().enumerate() {
-            if !cluster.is_left(k) {
-                resting.remove(&pairs[spot.pair]);
-            }
-        }
         for (k, pair) in pairs.iter().enumerate() {
             self.enter(time, (*pair, &founds[k]), &sums[k], blows[k].normal);
         }
@@ -290,18 +280,17 @@ impl<'a, const D: usize> Sweep<'a, D> {
                 true => way_out(&founds),
                 false => Vector::zeros(),
             };
-            self.go_on((agent, time), body, (rests, out), &resting);
+            self.go_on((agent, time), body, (rests, out));
         }
     }
 
     /// Sends a body on its new way, from a little beside where it is, and looks whom it meets
-    /// there, but for some pairs.
+    /// there.
     fn go_on(
         &mut self,
         (agent, time): (usize, f64),
         body: &Struck<D>,
         (rests, aside): (bool, Vector<D>),
-        resting: &BTreeSet<Pair>,
     ) {
         let old = self.way(agent);
         if !rests && old.velocity_at(time) == body.velocity && old.spin == body.spin {
@@ -328,9 +317,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         self.changed.insert(agent, way);
         *self.stamps.entry(agent).or_default() += 1;
         for pair in self.candidates(agent) {
-            if !resting.contains(&pair) {
-                self.foresee(pair, time);
-            }
+            self.foresee(pair, time, false);
         }
     }
 
@@ -373,6 +360,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         if all.normal <= 0.0 {
             return;
         }
+        self.left.insert(pair);
         let (agent, touched) = pair.touched();
         let push_speed = match touched {
             Touched::Agent(_) => 0.0,

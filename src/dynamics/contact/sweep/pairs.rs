@@ -8,9 +8,11 @@ use crate::math::Vector;
 use crate::shape::{Separation, is_exposed};
 
 impl<const D: usize> Sweep<'_, D> {
-    /// When a pair meets, from a time on, on the ways that it has, and how fast it approaches then.
-    pub(super) fn meet(&self, pair: Pair, from: f64) -> Option<(f64, f64)> {
+    /// When a pair meets, from a time on, on the ways that it has, and how fast it approaches then;
+    /// a touch at this very time is passed over where it was `answered`.
+    pub(super) fn meet(&self, pair: Pair, from: f64, answered: bool) -> Option<(f64, f64)> {
         let (roster, end) = (self.roster, self.flight.step);
+        let is_new = |time: f64| !answered || time > from;
         let agent = pair.agent as usize;
         let one = self.way(agent);
         let reach = |agent: usize| match roster.is_ball(agent) {
@@ -39,7 +41,8 @@ impl<const D: usize> Sweep<'_, D> {
                     let least = 1e-13 * (one.velocity.amax() + other.velocity.amax());
                     let there = apart - velocity * (time - from);
                     let approach = velocity.dot(&there) / there.norm();
-                    return (time <= end && approach > least).then_some((time, approach));
+                    let counts = time <= end && approach > least && is_new(time);
+                    return counts.then_some((time, approach));
                 }
                 let meeting = Meeting {
                     ways: [&one, &other],
@@ -51,7 +54,7 @@ impl<const D: usize> Sweep<'_, D> {
                     from,
                     end,
                     |t| self.stand(pair, [&one, &other], t),
-                    |_, _| true,
+                    |time, _| is_new(time),
                 );
                 found.map(|(time, found)| (time, meeting.approach(&found, time)))
             }
@@ -70,7 +73,9 @@ impl<const D: usize> Sweep<'_, D> {
                     size: self.size(pair),
                     bounces: self.surfaces(pair).0 > 0.0,
                 };
-                let counts = |time: f64, found: &Separation<D>| self.is_exposed(pair, found, time);
+                let counts = |time: f64, found: &Separation<D>| {
+                    is_new(time) && self.is_exposed(pair, found, time)
+                };
                 let found = meeting.meet(from, end, |t| self.stand(pair, [&one, other], t), counts);
                 found.map(|(time, found)| (time, meeting.approach(&found, time)))
             }
