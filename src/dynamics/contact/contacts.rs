@@ -39,8 +39,6 @@ pub(crate) struct Contacts<const D: usize> {
     /// without it.
     engine: Vec<Pair>,
     leaning: Vec<Pair>,
-    /// Whether some agent bounced in the last step farther than its list of others serves.
-    strayed: bool,
     roster: Roster<D>,
     agents: near::Agents<D>,
     walls: near::Walls<D>,
@@ -88,7 +86,6 @@ impl<const D: usize> Contacts<D> {
             walls: near::Walls::new(balls, &world.agents.group),
             engine: Vec::new(),
             leaning: Vec::new(),
-            strayed: false,
             clear: vec![f64::NEG_INFINITY; roster.len()],
             roster,
             state: ContactsState::default(),
@@ -111,6 +108,11 @@ impl<const D: usize> Contacts<D> {
 
     pub(crate) fn strain(&self) -> Strain {
         self.state.strain
+    }
+
+    /// The smallest gap between agents so far.
+    fn smallest(&self) -> f64 {
+        self.state.gaps.agents.map_or(f64::INFINITY, |it| it.gap)
     }
 
     /// Looks around where bodies stand at the start.
@@ -226,17 +228,15 @@ impl<const D: usize> Contacts<D> {
         pair.members().map(turns).sum()
     }
 
-    /// Whether a pair touches and is neither struck nor parting; pairs that the engine held
-    /// before may have parted a little, and agents that it held may be about to touch. `engine` are
-    /// the latter, nothing where the engine is not to hold it.
+    /// Whether a pair touches and is neither struck nor parting. Of those that lose something in a
+    /// blow, pairs that the engine held before may have parted a little, and agents that it held may be
+    /// about to touch. `engine` are the latter, nothing where the engine is not to hold it.
     fn lasts(&self, pair: Pair, start: &Start<'_, D>, engine: Option<&[usize]>) -> bool {
-        let size = pair
-            .members()
-            .map(|it| self.roster.size(it))
-            .fold(f64::INFINITY, f64::min);
+        let size = self.roster.smaller(pair);
         let (found, against, acceleration) = self.stand(pair, start);
         let approach = against.dot(&found.normal);
         let pull = acceleration.dot(&found.normal);
+        let engine = engine.filter(|_| self.roster.loses(pair));
         let known = engine.is_some() && self.state.lasting.binary_search(&pair).is_ok();
         let held = |agent: usize| engine.is_some_and(|all| all.binary_search(&agent).is_ok());
         let crowd = pair.members().all(held);
@@ -293,14 +293,12 @@ impl<const D: usize> Contacts<D> {
             Some(accelerations) => accelerations[i].norm() * eighth,
             None => 0.0,
         };
-        let smallest = self.state.gaps.agents.map_or(f64::INFINITY, |it| it.gap);
-        self.agents.follow(ways, &bend, smallest);
+        self.agents.follow(ways, &bend, self.smallest());
         self.walls
             .follow(ways, &bend, flight.obstacles, &|k| flight.moved(k));
         let near = (&mut self.agents, &mut self.walls);
         let swept = Sweep::new(&self.roster, flight, near, [&self.engine, &self.leaning]).run();
         self.state.strain.unordered += u64::from(swept.unordered);
-        self.strayed = swept.strayed;
         self.state.lasting.extend(swept.left);
         self.state.lasting.sort_unstable();
         self.state.lasting.dedup();

@@ -1,5 +1,6 @@
 //! What contacts must know of each agent and obstacle.
 
+use super::pair::{Other, Pair};
 use crate::math::{Matrix, Vector};
 use crate::shape::{Geometry, In, Obstacle, Pose, Shape, Solid};
 use crate::world::World;
@@ -124,17 +125,23 @@ impl<const D: usize> Roster<D> {
         rotation * own * rotation.transpose()
     }
 
-    /// Restitution and friction between two agents: the means of their surfaces'.
-    pub(super) fn between(&self, one: usize, other: usize) -> (f64, f64) {
-        mean(self.surface(one), self.surface(other))
+    /// Restitution and friction of a pair: the means of both surfaces', or the obstacle's own
+    /// where it has some.
+    pub(super) fn surfaces(&self, pair: Pair) -> (f64, f64) {
+        let one = self.surface(pair.agent as usize);
+        match pair.other {
+            Other::Agent(other) => mean(one, self.surface(other as usize)),
+            Other::Part(obstacle, _) => {
+                let (restitution, friction) = mean(one, self.usual);
+                let own = &self.obstacles[obstacle as usize];
+                (own.0.unwrap_or(restitution), own.1.unwrap_or(friction))
+            }
+        }
     }
 
-    /// Restitution and friction between an agent and an obstacle: the obstacle's own, where it
-    /// has some; else the means.
-    pub(super) fn against(&self, agent: usize, obstacle: usize) -> (f64, f64) {
-        let (restitution, friction) = mean(self.surface(agent), self.usual);
-        let own = &self.obstacles[obstacle];
-        (own.0.unwrap_or(restitution), own.1.unwrap_or(friction))
+    /// Whether a pair loses some of its speed of approach in a blow, and so may come to rest.
+    pub(super) fn loses(&self, pair: Pair) -> bool {
+        self.surfaces(pair).0 < 1.0
     }
 
     fn surface(&self, agent: usize) -> (f64, f64) {
@@ -144,6 +151,12 @@ impl<const D: usize> Roster<D> {
     /// The size against which what an agent does is small or large.
     pub(super) fn size(&self, agent: usize) -> f64 {
         self.inner[agent]
+    }
+
+    /// The size of the smaller agent of a pair.
+    pub(super) fn smaller(&self, pair: Pair) -> f64 {
+        let sizes = pair.members().map(|it| self.size(it));
+        sizes.fold(f64::INFINITY, f64::min)
     }
 
     /// Whether a part of an obstacle, or another agent, is round as well.

@@ -17,7 +17,7 @@ use super::blow::{Cluster, Impulse, Struck};
 use super::contacts::HELD;
 use super::flight::Flight;
 use super::near;
-use super::pair::{Other, Pair};
+use super::pair::Pair;
 use super::roster::Roster;
 use super::way::Way;
 use super::{Touch, Touched};
@@ -27,6 +27,10 @@ use strike::Strike;
 
 /// Blows of two bodies in a step after which they are no longer followed.
 const MEETINGS: u32 = 200;
+
+/// Blows of two bodies in a step from which on a pair that bounces less and less is left for the
+/// engine to hold: so a jam comes to rest. In a gas few bodies are struck twice in a step.
+const COLLAPSED: u32 = 4;
 
 /// A body that ends the step elsewhere than the engine put it.
 #[derive(Debug, Clone)]
@@ -87,7 +91,8 @@ pub(super) struct Sweep<'a, const D: usize> {
     unwalled: BTreeSet<usize>,
     queue: BinaryHeap<Event>,
     touches: BTreeMap<(usize, Touched), Touch<D>>,
-    /// The pairs that were struck, or meet slowly, for the engine to hold if they stay together.
+    /// The pairs that came to rest against each other, or meet slowly, for the engine to hold if
+    /// they stay together.
     left: BTreeSet<Pair>,
     unordered: bool,
 }
@@ -99,8 +104,6 @@ pub(super) struct Swept<const D: usize> {
     /// The pairs that are left for the engine to hold if they stay together.
     pub(super) left: BTreeSet<Pair>,
     pub(super) unordered: bool,
-    /// Whether some agent bounced farther than the lists of others serve.
-    pub(super) strayed: bool,
 }
 
 impl<'a, const D: usize> Sweep<'a, D> {
@@ -167,7 +170,6 @@ impl<'a, const D: usize> Sweep<'a, D> {
             changes: changes.collect(),
             unordered: self.unordered,
             left: self.left,
-            strayed: !self.strayed.is_empty(),
             touches: self.touches.into_values().collect(),
         }
     }
@@ -227,25 +229,18 @@ impl<'a, const D: usize> Sweep<'a, D> {
     /// The speed of approach up to which a meeting is left to the engine, which holds it from the
     /// next step on: 0 but in crowds that the engine presses together.
     fn slow(&self, pair: Pair) -> f64 {
-        match pair.members().all(|agent| self.flight.pressed[agent]) {
-            true => HELD.1 * self.size(pair) / self.flight.step,
+        let pressed = pair.members().all(|agent| self.flight.pressed[agent]);
+        match pressed && self.roster.loses(pair) {
+            true => HELD.1 * self.roster.smaller(pair) / self.flight.step,
             false => 0.0,
         }
     }
 
-    /// Restitution and friction of a pair.
-    fn surfaces(&self, pair: Pair) -> (f64, f64) {
-        let agent = pair.agent as usize;
-        match pair.other {
-            Other::Agent(other) => self.roster.between(agent, other as usize),
-            Other::Part(obstacle, _) => self.roster.against(agent, obstacle as usize),
-        }
-    }
-
-    /// The size of the smaller body of a pair.
-    fn size(&self, pair: Pair) -> f64 {
-        let sizes = pair.members().map(|it| self.roster.size(it));
-        sizes.fold(f64::INFINITY, f64::min)
+    /// Whether a pair that was struck comes to rest: at once where it does not bounce, never where
+    /// it loses nothing.
+    fn comes_to_rest(&self, pair: Pair) -> bool {
+        let inelastic = self.roster.surfaces(pair).0 <= 0.0;
+        inelastic || self.roster.loses(pair) && self.stamp(pair) >= COLLAPSED
     }
 
     /// Lets pairs that meet bounce, and what they push; or lets those that lean be stopped.
@@ -334,6 +329,8 @@ impl<'a, const D: usize> Sweep<'a, D> {
             let strayed = self.strayed.iter().copied();
             let more: Vec<usize> = strayed.filter(|it| !others.contains(it)).collect();
             others.extend(more);
+            // In an order that does not tell who strayed.
+            others.sort_unstable();
         }
         let others = others.into_iter().filter(|&other| other != agent);
         pairs.extend(others.map(|other| Pair::agents(agent, other)));
@@ -360,7 +357,9 @@ impl<'a, const D: usize> Sweep<'a, D> {
         if all.normal <= 0.0 {
             return;
         }
-        self.left.insert(pair);
+        if self.comes_to_rest(pair) {
+            self.left.insert(pair);
+        }
         let (agent, touched) = pair.touched();
         let push_speed = match touched {
             Touched::Agent(_) => 0.0,

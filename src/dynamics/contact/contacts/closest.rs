@@ -15,10 +15,8 @@ impl<const D: usize> Contacts<D> {
         poses: &dyn Fn(usize) -> Pose<D>,
         [begin, end]: [f64; 2],
     ) {
-        if std::mem::take(&mut self.strayed) {
-            let gap = self.state.gaps.agents.map_or(f64::INFINITY, |it| it.gap);
-            self.agents.follow([from, to], &|_| 0.0, gap);
-        }
+        self.agents.follow_bounces([from, to], self.smallest());
+        self.walls.follow_bounces(to, obstacles);
         self.closest_agents([from, to], poses, [begin, end]);
         if !obstacles.is_empty() {
             self.closest_walls([from, to], obstacles, poses, [begin, end]);
@@ -67,7 +65,7 @@ impl<const D: usize> Contacts<D> {
                 return;
             }
             self.agents.widen();
-            self.agents.follow([to, to], &|_| 0.0, f64::INFINITY);
+            self.agents.follow_bounces([from, to], f64::INFINITY);
         }
     }
 
@@ -92,7 +90,7 @@ impl<const D: usize> Contacts<D> {
             let pose = poses(agent);
             let mut found = (least, usize::MAX, 1.0);
             let way = place - from[agent];
-            self.walls.of(agent, least, |k, part| {
+            let mut pass = |k: usize, part: usize| {
                 // Past a corner within the step. Where the obstacle moves, ends of steps must do.
                 let obstacle = &obstacles[k];
                 let stand = |share: f64| {
@@ -105,7 +103,11 @@ impl<const D: usize> Contacts<D> {
                 {
                     found = (gap, k, share);
                 }
-            });
+            };
+            if way.amax() > 0.0 {
+                let range = least.max(0.0) + self.roster.outer[agent] + way.norm();
+                self.walls.parts_around(place, range, obstacles, &mut pass);
+            }
             if ball.is_none_or(|gap| gap >= least) && found.1 == usize::MAX {
                 continue;
             }

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::STEPS;
+use crate::dynamics::contact::CROWDED;
 use crate::math::{Vector, mean};
 use crate::parallel::{CHUNK, for_each};
 use crate::sense::Cells;
@@ -14,9 +15,10 @@ pub(in crate::dynamics::contact) struct Agents<const D: usize> {
     /// Where agents were when the lists were made, and their mean.
     then: Vec<Vector<D>>,
     start: Vector<D>,
-    /// Their mean now.
+    /// Their mean now, and its way in the last step.
     mean: Vector<D>,
-    /// Half the gap that is listed at least; and the smallest radius.
+    common: Vector<D>,
+    /// Half the gap up to which pairs are asked for; and the smallest radius.
     reach: f64,
     smallest: f64,
     /// How far each may go, and how far it has gone at most by the end of the step.
@@ -28,6 +30,8 @@ pub(in crate::dynamics::contact) struct Agents<const D: usize> {
     own: Option<Own>,
     /// Whether someone left the budget in each chunk of agents.
     spent: Vec<bool>,
+    /// Whether someone bounced so far beyond its way that pairs that are asked for may be missed.
+    strayed: bool,
 }
 
 /// Where each agent's pairs are.
@@ -45,6 +49,7 @@ impl<const D: usize> Agents<D> {
             then: Vec::new(),
             start: Vector::zeros(),
             mean: Vector::zeros(),
+            common: Vector::zeros(),
             reach: 0.0,
             smallest: radii.iter().copied().fold(f64::INFINITY, f64::min),
             budgets: Vec::new(),
@@ -52,6 +57,7 @@ impl<const D: usize> Agents<D> {
             pairs: Vec::new(),
             own: None,
             spent: Vec::new(),
+            strayed: false,
         }
     }
 
@@ -64,8 +70,30 @@ impl<const D: usize> Agents<D> {
         bend: &(impl Fn(usize) -> f64 + Sync),
         gap: f64,
     ) {
-        let before = std::mem::replace(&mut self.mean, mean(to));
-        let common = self.mean - before;
+        self.mean = mean(to);
+        self.common = self.mean - mean(from);
+        self.serve([from, to], bend, gap);
+    }
+
+    /// Has the lists serve again, after bounces in the same step.
+    pub(in crate::dynamics::contact) fn follow_bounces(
+        &mut self,
+        ways: [&[Vector<D>]; 2],
+        gap: f64,
+    ) {
+        if self.strayed || self.then.is_empty() {
+            self.serve(ways, &|_| 0.0, gap);
+        }
+    }
+
+    fn serve(
+        &mut self,
+        [from, to]: [&[Vector<D>]; 2],
+        bend: &(impl Fn(usize) -> f64 + Sync),
+        gap: f64,
+    ) {
+        self.strayed = false;
+        let common = self.common;
         let travel = |i: usize| way(&from[i], &to[i], common) + bend(i);
         let reach = 0.5 * gap.clamp(0.0, f64::MAX);
         if self.then.len() == to.len() && reach <= self.reach && self.go(to, &travel) {
@@ -77,9 +105,8 @@ impl<const D: usize> Agents<D> {
             true => 1.1 * reach,
             false => self.reach.max(0.5 * self.smallest),
         };
-        // A pair that is not listed may come closer by what both go: what is left is the reach.
         let least = (STEPS * average).max(self.reach).max(1e-9 * self.smallest);
-        let budgets = (0..to.len()).map(|i| self.reach + least.max(2.0 * travel(i)));
+        let budgets = (0..to.len()).map(|i| self.spare(i) + least.max(2.0 * travel(i)));
         self.budgets = budgets.collect();
         self.ways = (0..to.len()).map(travel).collect();
         self.start = self.mean;
@@ -88,32 +115,38 @@ impl<const D: usize> Agents<D> {
         self.list();
     }
 
+    /// What must be left of an agent's budget: a pair that is not listed is farther apart than
+    /// what is left of both. So no pair is missed below the gap that is asked for, nor below the
+    /// widest at which a pair may be held.
+    fn spare(&self, agent: usize) -> f64 {
+        self.reach.max(0.5 * CROWDED * self.radii[agent])
+    }
+
     /// Takes note of how far agents are at most from where they were, now and in the
     /// step that led here; tells whether all are within their budgets.
     fn go(&mut self, to: &[Vector<D>], travel: &(impl Fn(usize) -> f64 + Sync)) -> bool {
         let common = self.mean - self.start;
         let agents = to.len();
-        self.spent.resize(agents.div_ceil(CHUNK), false);
-        let chunks = self.ways.par_chunks_mut(CHUNK).enumerate();
-        let (then, budgets, reach) = (&self.then, &self.budgets, self.reach);
-        for_each(
-            agents,
-            chunks.zip(&mut self.spent),
-            |((chunk, ways), spent)| {
-                *spent = false;
-                for (k, i) in (chunk * CHUNK..).take(ways.len()).enumerate() {
-                    ways[k] = way(&then[i], &to[i], common) + travel(i);
-                    *spent |= ways[k] > budgets[i] - reach;
-                }
-            },
-        );
+        let mut spent = std::mem::take(&mut self.spent);
+        let mut ways = std::mem::take(&mut self.ways);
+        spent.resize(agents.div_ceil(CHUNK), false);
+        let chunks = ways.par_chunks_mut(CHUNK).enumerate();
+        for_each(agents, chunks.zip(&mut spent), |((chunk, ways), spent)| {
+            *spent = false;
+            for (k, i) in (chunk * CHUNK..).take(ways.len()).enumerate() {
+                ways[k] = way(&self.then[i], &to[i], common) + travel(i);
+                *spent |= ways[k] > self.budgets[i] - self.spare(i);
+            }
+        });
+        (self.spent, self.ways) = (spent, ways);
         !self.spent.iter().any(|spent| *spent)
     }
 
     /// Notes that one agent ends the step elsewhere, having gone so far beyond its way. Where
-    /// this is more than its budget, its pairs are not all listed.
+    /// this is more than its budget, not all are listed whom it may touch.
     pub(in crate::dynamics::contact) fn stray(&mut self, agent: usize, way: f64) -> bool {
         self.ways[agent] += way;
+        self.strayed |= self.ways[agent] > self.budgets[agent] - self.spare(agent);
         self.ways[agent] <= self.budgets[agent]
     }
 
@@ -165,7 +198,7 @@ impl<const D: usize> Agents<D> {
         2.0 * self.reach
     }
 
-    /// Has pairs listed so far that there is one, from the next time on.
+    /// Has pairs listed so far that there is one, when the lists are to serve again.
     pub(in crate::dynamics::contact) fn widen(&mut self) {
         // Neighbours in the order of an axis tell how near the nearest are at least.
         let mut nearest = f64::INFINITY;

@@ -43,6 +43,50 @@ mod tests {
         gaps.fold(f64::INFINITY, f64::min)
     }
 
+    #[test]
+    fn lists_are_as_short_far_away_and_in_flight() {
+        let lattice = |at: f64| -> Vec<Vector<2>> {
+            let place = |k: usize| Vector::<2>::new(at + (k % 20) as f64, at + (k / 20) as f64);
+            (0..400).map(place).collect()
+        };
+        let mut agents = Agents::new(&[0.1; 400]);
+        for (from, to) in [(1e6, 1e6), (1e6, 1e6 + 50.0), (1e6 + 50.0, 1e6 + 99.0)] {
+            let (from, to) = (lattice(from), lattice(to));
+            agents.follow([&from, &to], &|_| 0.0, 0.8);
+            let mut pairs = 0;
+            agents.below(f64::INFINITY, |_, _| pairs += 1);
+            // Each with the eight around it at most.
+            assert!(pairs < 4 * 400, "{pairs}");
+        }
+    }
+
+    #[test]
+    fn who_bounces_far_is_listed_where_it_is() {
+        let ball = Solid::new(Shape::Ball { radius: 0.1 }).expect("a ball");
+        let wall = Shape::Cuboid {
+            half_extents: Vector::<2>::new(0.1, 5.0),
+        };
+        let wall = Obstacle::new(String::new(), wall, Pose::new([9.0, 0.0].into(), [0.0; 3]));
+        let walls_there = [wall.expect("a box")];
+        let mut agents = Agents::new(&[0.1; 3]);
+        let mut walls = Walls::new(vec![ball], &[0, 0, 0]);
+        let stood: Vec<Vector<2>> = [[0.0, 0.0], [5.0, 0.0], [8.0, 0.0]]
+            .map(Vector::<2>::from)
+            .into();
+        agents.follow([&stood, &stood], &|_| 0.0, 0.1);
+        walls.follow([&stood, &stood], &|_| 0.0, &walls_there, &|_| 0.0);
+        assert!(!agents.stray(0, 8.7) && !walls.stray(0, 8.7));
+        let mut now = stood.clone();
+        now[0].x = 8.795;
+        agents.follow_bounces([&stood, &now], 0.1);
+        walls.follow_bounces(&now, &walls_there);
+        let (mut pairs, mut near) = (Vec::new(), Vec::new());
+        agents.below(0.01, |one, other| pairs.push((one, other)));
+        walls.below(0.01, |agent, wall, part| near.push((agent, wall, part)));
+        assert!(pairs.contains(&(0, 2)), "{pairs:?}");
+        assert_eq!(near, [(0, 0, 0)]);
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(10))]
         #[test]

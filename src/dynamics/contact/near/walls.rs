@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::STEPS;
+use crate::dynamics::contact::CROWDED;
 use crate::math::Vector;
 use crate::parallel::{CHUNK, for_each};
-use crate::shape::{Boxes, Obstacle, Pose, Reach, Solid};
+use crate::shape::{Bounds, Boxes, Obstacle, Pose, Reach, Solid};
 
 /// A part of an obstacle near an agent.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +44,8 @@ pub(in crate::dynamics::contact) struct Walls<const D: usize> {
     /// Whether there are obstacles at all.
     any: bool,
     lists: Vec<List>,
+    /// The agents that bounced farther than their lists serve.
+    strayed: Vec<usize>,
 }
 
 impl<const D: usize> Walls<D> {
@@ -58,12 +61,14 @@ impl<const D: usize> Walls<D> {
             moved: 0.0,
             any: false,
             lists: kinds.iter().map(|_| List::default()).collect(),
+            strayed: Vec::new(),
         }
     }
 
     /// Has the lists serve for a step that led from `from` to `to` on ways that bend by at most
-    /// the lengths that `bend` tells, and for the start of the next. No surface of the obstacles,
-    /// which are where they are at its end, moved farther than `moved` tells.
+    /// the lengths that `bend` tells, and for the start of the next, up to the widest gap at which
+    /// a pair may be held. No surface of the obstacles, which are where they are at its end, moved
+    /// farther than `moved` tells.
     pub(in crate::dynamics::contact) fn follow(
         &mut self,
         [from, to]: [&[Vector<D>]; 2],
@@ -76,7 +81,7 @@ impl<const D: usize> Walls<D> {
         }
         self.any = true;
         self.boxes.about(obstacles);
-        self.everywhere.clear();
+        let before = std::mem::take(&mut self.everywhere);
         let mut step = 0.0f64;
         for k in 0..obstacles.len() {
             match moved(k) {
@@ -85,34 +90,63 @@ impl<const D: usize> Walls<D> {
             }
         }
         self.moved += step;
+        let changed = self.everywhere != before;
         let agents = to.len();
-        let chunks = self.gone.par_chunks_mut(CHUNK).enumerate();
-        let chunks = chunks.zip(self.lists.par_chunks_mut(CHUNK));
-        let (boxes, everywhere, all) = (&self.boxes, &self.everywhere, self.moved);
-        let (balls, kinds) = (&self.balls, &self.kinds);
+        let mut gone = std::mem::take(&mut self.gone);
+        let mut lists = std::mem::take(&mut self.lists);
+        let chunks = gone.par_chunks_mut(CHUNK).enumerate();
+        let chunks = chunks.zip(lists.par_chunks_mut(CHUNK));
         for_each(agents, chunks, |((chunk, gone), lists)| {
             for (k, i) in (chunk * CHUNK..).take(gone.len()).enumerate() {
                 let way = (to[i] - from[i]).norm() + 2.0 * bend(i);
                 let travel = (way + step) * (1.0 + 1e-9) + 1e-15 * to[i].amax();
                 gone[k] += travel - step;
                 let list = &mut lists[k];
-                if gone[k] + all <= list.until {
-                    continue;
+                if changed || gone[k] + self.moved + self.spare(i) > list.until {
+                    let budget = (STEPS * travel).max(0.1 * self.radii[i]) + self.spare(i);
+                    list.since = gone[k] + self.moved - travel;
+                    list.until = list.since + budget;
+                    self.list(i, &to[i], obstacles, list);
                 }
-                let ball = &balls[kinds[i]];
-                let budget = (STEPS * travel).max(0.1 * ball.radius());
-                list.since = gone[k] + all - travel;
-                list.until = list.since + budget;
-                list.near.clear();
-                find(
-                    ball,
-                    &to[i],
-                    budget,
-                    (obstacles, boxes, everywhere),
-                    &mut list.near,
-                );
             }
         });
+        (self.gone, self.lists) = (gone, lists);
+        self.strayed.clear();
+    }
+
+    /// Has the lists serve again where agents are after bounces in the same step.
+    pub(in crate::dynamics::contact) fn follow_bounces(
+        &mut self,
+        to: &[Vector<D>],
+        obstacles: &[Obstacle<D>],
+    ) {
+        for agent in std::mem::take(&mut self.strayed) {
+            let mut list = std::mem::take(&mut self.lists[agent]);
+            // For as long again.
+            let budget = list.until - list.since;
+            list.since = self.gone(agent);
+            list.until = list.since + budget;
+            self.list(agent, &to[agent], obstacles, &mut list);
+            self.lists[agent] = list;
+        }
+    }
+
+    /// What must be left of an agent's list: the widest gap at which it may be held at a wall.
+    fn spare(&self, agent: usize) -> f64 {
+        CROWDED * self.radii[agent]
+    }
+
+    /// Lists the parts whose gap to an agent is within what its list serves for.
+    fn list(&self, agent: usize, place: &Vector<D>, obstacles: &[Obstacle<D>], list: &mut List) {
+        list.near.clear();
+        let ball = &self.balls[self.kinds[agent]];
+        find(
+            ball,
+            place,
+            list.until - list.since,
+            (obstacles, &self.boxes, &self.everywhere),
+            &mut list.near,
+        );
     }
 
     /// Visits the parts whose gap to an agent may be below `gap` in the step.
@@ -148,8 +182,11 @@ impl<const D: usize> Walls<D> {
     /// within its budget.
     pub(in crate::dynamics::contact) fn stray(&mut self, agent: usize, way: f64) -> bool {
         self.gone[agent] += way;
-        let list = &self.lists[agent];
-        !self.any || self.gone[agent] + self.moved <= list.until
+        let (gone, until) = (self.gone(agent), self.lists[agent].until);
+        if self.any && gone + self.spare(agent) > until {
+            self.strayed.push(agent);
+        }
+        !self.any || gone <= until
     }
 
     /// How far an agent and the obstacles have gone in all: gaps change by no more.
@@ -175,6 +212,20 @@ impl<const D: usize> Walls<D> {
         }
         (least <= reach).then_some(least)
     }
+
+    /// Visits the parts of obstacles that may be within a range of a place.
+    pub(in crate::dynamics::contact) fn parts_around(
+        &self,
+        place: &Vector<D>,
+        range: f64,
+        obstacles: &[Obstacle<D>],
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        let (point, bounds) = (*place, about(place, range));
+        for k in self.boxes.reached(Reach::Around { point, range }) {
+            obstacles[k].parts_near(&bounds, &mut |part| visit(k, part));
+        }
+    }
 }
 
 /// Finds the parts whose gap to a ball is at most `budget`.
@@ -186,12 +237,10 @@ fn find<const D: usize>(
     out: &mut Vec<Near>,
 ) {
     let here = Pose::from_matrix(*place, nalgebra::SMatrix::identity());
-    let range = ball.radius() + budget;
-    let reach = Vector::repeat(range);
-    let (point, bounds) = (*place, (place - reach, place + reach));
+    let (point, range) = (*place, ball.radius() + budget);
     let mut look = |k: usize, budget: f64| {
         let obstacle = &obstacles[k];
-        obstacle.parts_near(&bounds, &mut |part| {
+        obstacle.parts_near(&about(place, range), &mut |part| {
             let found = obstacle.parts()[part].separation(&obstacle.pose, ball, &here);
             if found.gap <= budget {
                 out.push(Near {
@@ -214,4 +263,10 @@ fn find<const D: usize>(
         .iter()
         .for_each(|&k| look(k as usize, f64::INFINITY));
     out.sort_unstable_by_key(|near| (near.obstacle, near.part));
+}
+
+/// The box about a place.
+fn about<const D: usize>(place: &Vector<D>, range: f64) -> Bounds<D> {
+    let reach = Vector::repeat(range);
+    (place - reach, place + reach)
 }

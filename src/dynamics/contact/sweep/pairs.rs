@@ -47,8 +47,8 @@ impl<const D: usize> Sweep<'_, D> {
                 let meeting = Meeting {
                     ways: [&one, &other],
                     reaches: [reach(agent), reach(other_agent)],
-                    size: self.size(pair),
-                    bounces: self.surfaces(pair).0 > 0.0,
+                    size: roster.smaller(pair),
+                    bounces: roster.surfaces(pair).0 > 0.0,
                 };
                 let found = meeting.meet(
                     from,
@@ -70,8 +70,8 @@ impl<const D: usize> Sweep<'_, D> {
                             false => 0.0,
                         },
                     ],
-                    size: self.size(pair),
-                    bounces: self.surfaces(pair).0 > 0.0,
+                    size: roster.smaller(pair),
+                    bounces: roster.surfaces(pair).0 > 0.0,
                 };
                 let counts = |time: f64, found: &Separation<D>| {
                     is_new(time) && self.is_exposed(pair, found, time)

@@ -53,7 +53,7 @@ impl<const D: usize> Strike<'_, '_, D> {
             Other::Agent(other) => sweep.way(other as usize),
             Other::Part(obstacle, _) => sweep.flight.wall(obstacle as usize),
         };
-        let surfaces = sweep.surfaces(pair);
+        let surfaces = sweep.roster.surfaces(pair);
         let slow = if meets { 0.0 } else { sweep.slow(pair) };
         if let Other::Agent(other_agent) = pair.other
             && !meets
@@ -66,7 +66,8 @@ impl<const D: usize> Strike<'_, '_, D> {
         }
         let found = sweep.stand(pair, [&one, &other], self.time);
         let held = || sweep.is_held(pair);
-        let touching = found.gap <= 4.0 * tolerance(sweep.size(pair), &found.points[0]) || held();
+        let touching =
+            found.gap <= 4.0 * tolerance(sweep.roster.smaller(pair), &found.points[0]) || held();
         if !meets && !touching {
             return;
         }
