@@ -1,12 +1,13 @@
 //! Nothing passes through anything: 10,000 random shots at walls and at each other.
 //!
-//! Shots are flown fifty at a time, in lanes too far apart to meet, at relative speeds from 5
-//! to 50 diameters a second and a step of 0.01 s. A ball has passed a wall when the path of
-//! its centre, seen from the wall, crosses it: the segments and triangles that the wall is
-//! made of, the middle plane of a thin cuboid, the edges of solid triangles. Balls that pass
-//! by the rim cross nothing. A pair has passed when the straight way from step to step brings
-//! the centres nearer than half the distance at which surfaces touch. Nothing may even overlap
-//! by more than 0.3 diameters, which balls do where the engine foresees nothing.
+//! Shots are flown fifty at a time, in lanes too far apart to meet, at relative speeds from
+//! 5 to 50 or to 150 diameters a second and a step of 0.01 s. A ball has passed a wall when
+//! the path of its centre, seen from the wall, crosses it: the segments and triangles that
+//! the wall is made of, the middle plane of a thin cuboid, the edges of solid triangles.
+//! Balls that pass by the rim cross nothing. A pair has passed when the straight way from
+//! step to step brings the centres nearer than half the distance at which surfaces touch.
+//! Nothing may even overlap by more than 0.3 diameters, which balls do where the engine
+//! foresees nothing.
 
 mod common;
 
@@ -351,38 +352,19 @@ fn shoot(worlds: u64, fastest: f64) -> Score {
 
 #[test]
 fn ten_thousand_shots_pass_nothing() {
-    let score = shoot(200, 50.0);
-    assert_eq!(score.shots, 10_000);
-    // Most are aimed well; the rest pass by a rim that moves away.
-    assert!(score.hits > 7_000, "only {} hit", score.hits);
-    // Nothing even gets far in. Without foresight, balls do by up to a radius.
-    assert!(score.deepest < 0.6 * RADIUS, "{} deep", score.deepest);
-    assert!(
-        score.passed.is_empty(),
-        "{}: {:#?}",
-        score.passed.len(),
-        &score.passed[..score.passed.len().min(30)]
-    );
-}
-
-/// `cargo test --test tunnelling -- --ignored --nocapture` prints where it begins to fail.
-#[test]
-#[ignore = "a measurement"]
-fn far_higher_speeds() {
     // Beyond, walls would turn faster than a world may ask for.
-    for fastest in [25.0, 50.0, 75.0, 100.0, 150.0] {
+    for fastest in [50.0, 150.0] {
         let score = shoot(200, fastest);
-        println!(
-            "{fastest}: {} of {} passed, {} hit, overlap at most {:.3}",
+        assert_eq!(score.shots, 10_000);
+        // Most are aimed well; the rest pass by a rim that moves away.
+        assert!(score.hits > 7_000, "only {} hit", score.hits);
+        // Nothing even gets far in. Without foresight, balls do by up to a radius.
+        assert!(score.deepest < 0.6 * RADIUS, "{} deep", score.deepest);
+        assert!(
+            score.passed.is_empty(),
+            "{fastest}: {}: {:#?}",
             score.passed.len(),
-            score.shots,
-            score.hits,
-            score.deepest
+            &score.passed[..score.passed.len().min(30)]
         );
-        score
-            .passed
-            .iter()
-            .take(6)
-            .for_each(|line| println!("    {line}"));
     }
 }
