@@ -16,6 +16,7 @@ mod friction;
 #[cfg(test)]
 mod tests;
 
+use super::meet::slowest;
 use super::way::{embed, project};
 use crate::math::{Matrix, Vector};
 use friction::Rub;
@@ -209,7 +210,7 @@ impl<const D: usize> Cluster<D> {
         let fastest = self.spots.iter().fold(fastest, surface);
         // Also what has come to rest since: its rounding is that of the speeds it had.
         self.fastest = self.fastest.max(fastest);
-        2e-13 * self.fastest
+        2.0 * slowest(self.fastest)
     }
 
     /// Finds the impulses that bring spots to the wanted speeds of separation, or to more where

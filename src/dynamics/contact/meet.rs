@@ -30,6 +30,10 @@ const SINKS: f64 = 2e-3;
 /// Share of a part of a step below which sliding is not looked at more closely.
 const SHORTEST: f64 = 1e-6;
 
+/// Speeds below this come to nothing before they bring anything anywhere: what bounces less and
+/// less ends with them, not with the last bits of the smallest numbers.
+const NOTHING: f64 = 1e-200;
+
 /// Two bodies on their ways.
 pub(super) struct Pair<'a, const D: usize> {
     /// Their ways.
@@ -38,6 +42,8 @@ pub(super) struct Pair<'a, const D: usize> {
     pub(super) reaches: [f64; 2],
     /// Size of the smaller one.
     pub(super) size: f64,
+    /// Their speeds before the first blow of the step, of which later ones keep the rounding.
+    pub(super) speeds: f64,
     /// Whether they bounce. Those that do not may stay at each other, and are looked at less closely
     /// while they do.
     pub(super) bounces: bool,
@@ -46,6 +52,11 @@ pub(super) struct Pair<'a, const D: usize> {
 /// What surfaces that are no farther apart than rounding tells are taken for: touching.
 pub(super) fn tolerance<const D: usize>(size: f64, place: &Vector<D>) -> f64 {
     4e-13 * size + 8.0 * f64::EPSILON * place.amax()
+}
+
+/// The slowest approach that is told from none by bodies of some speed.
+pub(super) fn slowest(speed: f64) -> f64 {
+    (1e-13 * speed).max(NOTHING)
 }
 
 impl<const D: usize> Pair<'_, D> {
@@ -65,7 +76,8 @@ impl<const D: usize> Pair<'_, D> {
             way.velocity_at(time).amax() + way.spin.amax() * reach.min(1e100)
         };
         let [one, other] = self.ways;
-        1e-13 * (speed(one, self.reaches[0]) + speed(other, self.reaches[1]))
+        let now = speed(one, self.reaches[0]) + speed(other, self.reaches[1]);
+        slowest(now.max(self.speeds))
     }
 
     /// The first time from `from` to `end` at which they touch and approach each other, and how

@@ -28,10 +28,6 @@ use strike::Strike;
 /// Blows of two bodies in a step after which they are no longer followed.
 const MEETINGS: u32 = 200;
 
-/// Blows of two bodies in a step from which on a pair that bounces less and less is left for the
-/// engine to hold: so a jam comes to rest. In a gas few bodies are struck twice in a step.
-const COLLAPSED: u32 = 4;
-
 /// A body that ends the step elsewhere than the engine put it.
 #[derive(Debug, Clone)]
 pub struct Change<const D: usize> {
@@ -91,8 +87,7 @@ pub(super) struct Sweep<'a, const D: usize> {
     unwalled: BTreeSet<usize>,
     queue: BinaryHeap<Event>,
     touches: BTreeMap<(usize, Touched), Touch<D>>,
-    /// The pairs that came to rest against each other, or meet slowly, for the engine to hold if
-    /// they stay together.
+    /// The pairs that were struck, or meet slowly, for the engine to hold if they stay together.
     left: BTreeSet<Pair>,
     unordered: bool,
 }
@@ -236,13 +231,6 @@ impl<'a, const D: usize> Sweep<'a, D> {
         }
     }
 
-    /// Whether a pair that was struck comes to rest: at once where it does not bounce, never where
-    /// it loses nothing.
-    fn comes_to_rest(&self, pair: Pair) -> bool {
-        let inelastic = self.roster.surfaces(pair).0 <= 0.0;
-        inelastic || self.roster.loses(pair) && self.stamp(pair) >= COLLAPSED
-    }
-
     /// Lets pairs that meet bounce, and what they push; or lets those that lean be stopped.
     fn strike(&mut self, meeting: &[Pair], time: f64, lean: bool) {
         let mut struck = Strike {
@@ -264,6 +252,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         let blows = cluster.impulses(struck.pairs.len());
         let rests = struck.rest(&mut cluster, lean);
         let (agents, pairs, founds) = (struck.agents, struck.pairs, struck.founds);
+        let answered = struck.known;
         self.unordered |= cluster.unordered;
         let sums = cluster.impulses(pairs.len());
         for (k, pair) in pairs.iter().enumerate() {
@@ -275,17 +264,19 @@ impl<'a, const D: usize> Sweep<'a, D> {
                 true => way_out(&founds),
                 false => Vector::zeros(),
             };
-            self.go_on((agent, time), body, (rests, out));
+            self.go_on((agent, time), body, (rests, out), &answered);
         }
     }
 
     /// Sends a body on its new way, from a little beside where it is, and looks whom it meets
-    /// there.
+    /// there. What pairs do at this very time was `answered`: to do it again, down to the last digit,
+    /// could take for ever.
     fn go_on(
         &mut self,
         (agent, time): (usize, f64),
         body: &Struck<D>,
         (rests, aside): (bool, Vector<D>),
+        answered: &BTreeSet<Pair>,
     ) {
         let old = self.way(agent);
         if !rests && old.velocity_at(time) == body.velocity && old.spin == body.spin {
@@ -312,7 +303,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         self.changed.insert(agent, way);
         *self.stamps.entry(agent).or_default() += 1;
         for pair in self.candidates(agent) {
-            self.foresee(pair, time, false);
+            self.foresee(pair, time, answered.contains(&pair));
         }
     }
 
@@ -357,9 +348,7 @@ impl<'a, const D: usize> Sweep<'a, D> {
         if all.normal <= 0.0 {
             return;
         }
-        if self.comes_to_rest(pair) {
-            self.left.insert(pair);
-        }
+        self.left.insert(pair);
         let (agent, touched) = pair.touched();
         let push_speed = match touched {
             Touched::Agent(_) => 0.0,

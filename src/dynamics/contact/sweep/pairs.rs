@@ -1,6 +1,6 @@
 //! When a pair meets within a step, how it stands then, and where it touches.
 
-use super::super::meet::{Pair as Meeting, balls};
+use super::super::meet::{Pair as Meeting, balls, slowest};
 use super::super::pair::{Other, Pair};
 use super::super::way::Way;
 use super::Sweep;
@@ -15,6 +15,8 @@ impl<const D: usize> Sweep<'_, D> {
         let is_new = |time: f64| !answered || time > from;
         let agent = pair.agent as usize;
         let one = self.way(agent);
+        let speeds = |agent: usize| self.flight.velocities[agent].amax();
+        let speeds: f64 = pair.members().map(speeds).sum();
         let reach = |agent: usize| match roster.is_ball(agent) {
             true => 0.0,
             false => roster.outer[agent],
@@ -38,7 +40,8 @@ impl<const D: usize> Sweep<'_, D> {
                     let velocity = one.velocity_at(from) - other.velocity_at(from);
                     let touching = roster.outer[agent] + roster.outer[other_agent];
                     let time = from + balls(&apart, &velocity, touching)?;
-                    let least = 1e-13 * (one.velocity.amax() + other.velocity.amax());
+                    let now = one.velocity.amax() + other.velocity.amax();
+                    let least = slowest(now.max(speeds));
                     let there = apart - velocity * (time - from);
                     let approach = velocity.dot(&there) / there.norm();
                     let counts = time <= end && approach > least && is_new(time);
@@ -48,6 +51,7 @@ impl<const D: usize> Sweep<'_, D> {
                     ways: [&one, &other],
                     reaches: [reach(agent), reach(other_agent)],
                     size: roster.smaller(pair),
+                    speeds,
                     bounces: roster.surfaces(pair).0 > 0.0,
                 };
                 let found = meeting.meet(
@@ -71,6 +75,7 @@ impl<const D: usize> Sweep<'_, D> {
                         },
                     ],
                     size: roster.smaller(pair),
+                    speeds,
                     bounces: roster.surfaces(pair).0 > 0.0,
                 };
                 let counts = |time: f64, found: &Separation<D>| {

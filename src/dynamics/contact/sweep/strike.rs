@@ -30,6 +30,8 @@ impl<const D: usize> Strike<'_, '_, D> {
         }
         let roster = self.sweep.roster;
         let way = self.sweep.way(agent);
+        let before = self.sweep.flight.velocities[agent].amax();
+        cluster.fastest = cluster.fastest.max(before);
         cluster.bodies.push(Struck {
             velocity: way.velocity_at(self.time),
             spin: way.spin,
