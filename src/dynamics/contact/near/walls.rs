@@ -120,7 +120,11 @@ impl<const D: usize> Walls<D> {
         to: &[Vector<D>],
         obstacles: &[Obstacle<D>],
     ) {
-        for agent in std::mem::take(&mut self.strayed) {
+        let mut strayed = std::mem::take(&mut self.strayed);
+        // Who bounced more than once is listed once.
+        strayed.sort_unstable();
+        strayed.dedup();
+        for agent in strayed {
             let mut list = std::mem::take(&mut self.lists[agent]);
             // For as long again.
             let budget = list.until - list.since;
