@@ -210,3 +210,24 @@ fn friction_is_what_slows() {
         "{contact:?}"
     );
 }
+
+/// Boxes that turn about the corners of a funnel, stopped there again and again, are followed to the
+/// end of each step.
+#[test]
+fn who_turns_at_a_corner_is_followed_to_the_end_of_the_step() {
+    let (contacts, summary, _) = run::<2>(json!({
+        "dimension": 2, "seed": 3, "time": { "step": 0.01, "end": 8 }, "record": { "every": 8 },
+        "physics": { "friction": 0.3, "restitution": 0 },
+        "agents": [{
+            "count": 24, "shape": { "cuboid": { "half_extents": [0.4, 0.25] } },
+            "positions": { "box": { "min": [0, -4], "max": [10, 4], "separation": 0.3 } }
+        }],
+        "obstacles": [
+            { "shape": { "polyline": { "points": [[14, -8], [16, -2], [18, -1.2]] } } },
+            { "shape": { "polyline": { "points": [[14, 8], [16, 2], [18, 1.2]] } } }
+        ],
+        "laws": [{ "navigation": { "velocity": [2, 0], "velocity_gain": 2 } }]
+    }));
+    assert!(contacts.len() > 20, "{}", contacts.len());
+    assert_eq!(summary.strain.unordered, 0);
+}

@@ -15,8 +15,8 @@ use crate::shape::Separation;
 /// it leaves overlapping is found at the start of the next step.
 const STEPS: usize = 1000;
 
-/// Parts of the rest of a step at which surfaces that are near each other, or slide along each
-/// other, are looked at.
+/// Parts of a step at which surfaces that are near each other, or slide along each other, are
+/// looked at; of the whole of it, or who is stopped again and again would never reach its end.
 const SLIDING: f64 = 16.0;
 
 /// Share of the size from which on a step is taken by the speed of the nearest points
@@ -110,7 +110,7 @@ impl<const D: usize> Pair<'_, D> {
                 if approach <= 0.0 && pull <= 0.0 && swing == 0.0 {
                     return None;
                 }
-                let part = (end - from) / SLIDING;
+                let part = end / SLIDING;
                 let range = [time, (time + part).min(end)];
                 (time, found) = self.slide(range, (&found, tolerance), &separation);
             } else {
@@ -118,7 +118,7 @@ impl<const D: usize> Pair<'_, D> {
                 let step = first_root(gap, speed + swing, pull)?;
                 if swing > 0.0 && found.gap < NEAR * self.size {
                     let newton = first_root(gap, self.approach(&found, time), pull);
-                    let part = (end - from) / SLIDING;
+                    let part = end / SLIDING;
                     let farthest = time + newton.unwrap_or(part).min(part).max(step);
                     let range = [time, farthest.min(end)];
                     let here = (&found, tolerance);
