@@ -17,7 +17,7 @@ use super::blow::{Cluster, Impulse, Struck};
 use super::contacts::HELD;
 use super::flight::Flight;
 use super::near;
-use super::pair::Pair;
+use super::pair::{Other, Pair};
 use super::roster::Roster;
 use super::way::Way;
 use super::{Touch, Touched};
@@ -222,10 +222,12 @@ impl<'a, const D: usize> Sweep<'a, D> {
     }
 
     /// The speed of approach up to which a meeting is left to the engine, which holds it from the
-    /// next step on: 0 but in crowds that the engine presses together.
+    /// next step on: 0 but in crowds that the engine presses together. Walls pass nothing on, so
+    /// that nothing need be left there, and bodies do not sink into them.
     fn slow(&self, pair: Pair) -> f64 {
         let pressed = pair.members().all(|agent| self.flight.pressed[agent]);
-        match pressed && self.roster.loses(pair) {
+        let agents = matches!(pair.other, Other::Agent(_));
+        match agents && pressed && self.roster.loses(pair) {
             true => HELD.1 * self.roster.smaller(pair) / self.flight.step,
             false => 0.0,
         }
